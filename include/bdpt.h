@@ -1,0 +1,776 @@
+/* bdpt.h: bidirectional path tracing for programs that embed it.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * How it goes together
+ *   context ─▶ builder ─▶ scene ─┐
+ *                     camera ────┼─▶ render ─▶ advance, advance, ... ─▶ film ─▶ read, save, write
+ *                       film ────┘
+ *   A builder collects shapes, textures, materials, lights and instances and builds an immutable scene. A sensor says
+ *   what is measured, a film holds the measurements, a render joins the three and samples them, pass by pass. One pass
+ *   is one sample per measurement (per pixel, for a camera).
+ *
+ * Conventions
+ *   Structs    Every struct passed by pointer begins with struct_size; set it to sizeof the struct. Zero is the
+ *              default of every other field, so `bdpt_film_desc d = {.struct_size = sizeof d};` is complete. A struct
+ *              smaller than version 1 of it, or larger with a tail that is not zero, is refused.
+ *   Results    Every call that can fail returns a bdpt_result: zero is success, negative is an error, positive is an
+ *              outcome that is no error (BDPT_CANCELLED). Outputs are the last parameters; on failure handles are set
+ *              to NULL and ids to zero. A call that fails has changed nothing. bdpt_last_error() tells the rest.
+ *   Units      Lengths are the scene's own unit, one for all. Radiance W/(m² sr), intensity W/sr, with m that unit.
+ *              Angles are in degrees. Colours are linear RGB, scene-referred.
+ *   Matrices   3x4, row-major: {r00 r01 r02 tx, r10 r11 r12 ty, r20 r21 r22 tz}; twelve zeros mean the identity.
+ *   Images     Row 0 is the top row. Pixel (x, y) covers [x, x+1) x [y, y+1).
+ *   Normals    A triangle's front is the side from which its vertices turn counter-clockwise; where vertex normals are
+ *              given, the side they point to. Emission leaves the front, and the outside of a dielectric is its front.
+ *   Names      After Veach (1997), chapter 10: a path of k edges is made of a light subpath of s vertices and an eye
+ *              subpath of t vertices, k = s + t - 1; (s,t) is the technique that made it.
+ *
+ * Ownership
+ *   Context, scene, sensor, film and cancel token are counted: create gives one reference, retain adds one, release
+ *   takes one. Children keep their parents alive, so handles may be released in any order. Builder and render are
+ *   created and destroyed. Release and destroy accept NULL.
+ *   Shapes, textures, materials, lights and instances are ids inside one builder; zero is no id, and an id that was
+ *   removed stays invalid for ever.
+ *
+ * Threads
+ *   "Any thread" means safe to call at any time. "One thread per object" means that calls on one object must not
+ *   overlap; calls on different objects may. Contexts share nothing.
+ *
+ * Callbacks
+ *   A callback passed to a call runs only during this call, only on the calling thread, one at a time; the two
+ *   exceptions are the log (any thread) and the executor's body (the host's threads). It must not throw or longjmp.
+ *   It returns zero to go on; any other value stops the call, which then returns BDPT_ERROR_CALLBACK_FAILED, with the
+ *   callback's value in bdpt_last_error(). Inside progress and output callbacks only the functions that say so may be
+ *   called on objects in use; others return BDPT_ERROR_REENTRANT.
+ *
+ * Determinism
+ *   The same library build, ISA setting, scene, options, seed and pass range give the same film, bit for bit, whatever
+ *   the number of threads, the executor, the block size, interruptions, or the ranges that were merged.
+ */
+#ifndef BDPT_H
+#define BDPT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(BDPT_STATIC)
+#define BDPT_API
+#elif defined(_WIN32) && defined(BDPT_BUILDING)
+#define BDPT_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define BDPT_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define BDPT_API __attribute__((visibility("default")))
+#else
+#define BDPT_API
+#endif
+
+#if defined(__GNUC__)
+#define BDPT_CHECK __attribute__((warn_unused_result))
+#else
+#define BDPT_CHECK
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Version, results, errors
+ */
+
+/* The ABI this header describes; pass it to bdpt_context_create. Structs and functions of one ABI only ever grow. */
+#define BDPT_ABI 1u
+
+typedef int32_t bdpt_result;
+#define BDPT_OK 0                       /* success */
+#define BDPT_CANCELLED 1                /* stopped by a cancel token; finished work is kept */
+#define BDPT_ERROR_INVALID_ARGUMENT -1  /* an argument or field is NULL, out of range, not finite or unknown */
+#define BDPT_ERROR_INVALID_ID -2        /* an id is zero, stale, or of another builder */
+#define BDPT_ERROR_OUT_OF_MEMORY -3     /* the system has no memory left */
+#define BDPT_ERROR_MEMORY_LIMIT -4      /* the context's memory limit would be exceeded */
+#define BDPT_ERROR_UNSUPPORTED -5       /* not in this build, or not on this machine */
+#define BDPT_ERROR_ABI -6               /* header and library are of different ABI versions */
+#define BDPT_ERROR_IO -7                /* a file could not be opened, read or written */
+#define BDPT_ERROR_FORMAT -8            /* a file is damaged or of another kind */
+#define BDPT_ERROR_MISMATCH -9          /* two objects do not fit: other scene, options, size, or overlapping passes */
+#define BDPT_ERROR_IN_USE -10           /* the object is still referred to by another */
+#define BDPT_ERROR_REENTRANT -11        /* called from inside a callback that does not allow it */
+#define BDPT_ERROR_CALLBACK_FAILED -12  /* a callback of the host returned a value other than zero */
+#define BDPT_ERROR_INTERNAL -13         /* a fault of the library: please report it */
+
+/* The library's version, packed as 0x00MMmmpp (major, minor, patch).
+ * Returns: the packed version. Threads: any thread. Callbacks: allowed. Ownership: none. */
+BDPT_API uint32_t bdpt_version(void);
+
+/* The ABI the library implements; compare with BDPT_ABI.
+ * Returns: the ABI number. Threads: any thread. Callbacks: allowed. Ownership: none. */
+BDPT_API uint32_t bdpt_abi_version(void);
+
+/* The name of a result code, such as "BDPT_ERROR_IO".
+ * Returns: a static string; "BDPT_ERROR_UNKNOWN" for a value that is none. Threads: any thread. Callbacks: allowed.
+ * Ownership: the library's, forever valid. */
+BDPT_API const char *bdpt_result_name(bdpt_result result);
+
+/* What went wrong in the last call of this thread that failed: function, field, object and value, in one sentence.
+ * Returns: a text, empty when no call failed yet; never NULL. Threads: any thread; each has its own text.
+ * Callbacks: allowed. Ownership: the library's, valid until the next call into it on this thread. */
+BDPT_API const char *bdpt_last_error(void);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Context: threads, memory limit, log
+ */
+
+typedef struct bdpt_context bdpt_context;
+
+/* The host's threads. run must call body(body_user, i) once for each i in [0, n), from any threads, at the same time
+ * or one after another, and return when all calls have returned. With an executor the library starts no thread.
+ * drop, if not NULL, is called once when the context is gone. */
+typedef struct bdpt_executor {
+  uint32_t struct_size;
+  uint32_t worker_count; /* how many bodies may run at once, >= 1 */
+  void (*run)(void *user, uint32_t n, void (*body)(void *body_user, uint32_t i), void *body_user);
+  void *user;
+  void (*drop)(void *user);
+} bdpt_executor;
+
+typedef int32_t bdpt_log_level;
+#define BDPT_LOG_INFO 0
+#define BDPT_LOG_WARNING 1
+
+/* Receives what is worth telling and is no error, such as triangles dropped. May be called from any thread, also at
+ * the same time. drop, if not NULL, is called once when the context is gone. */
+typedef struct bdpt_log {
+  uint32_t struct_size;
+  uint32_t reserved;
+  void (*write)(void *user, bdpt_log_level level, const char *text);
+  void *user;
+  void (*drop)(void *user);
+} bdpt_log;
+
+typedef int32_t bdpt_isa;
+#define BDPT_ISA_BEST 0 /* the widest this machine has */
+#define BDPT_ISA_SSE42 1
+#define BDPT_ISA_AVX2 2
+#define BDPT_ISA_AVX512 3
+
+typedef struct bdpt_context_desc {
+  uint32_t struct_size;
+  uint32_t threads;              /* threads that render, the caller's included; 0 = one per core. At most 4096 */
+  const bdpt_executor *executor; /* NULL = the library's own threads */
+  const bdpt_log *log;           /* NULL = silent */
+  uint64_t memory_limit;         /* bytes for scenes, films and blocks together; 0 = none */
+  bdpt_isa isa;                  /* of the ray queries */
+  uint32_t reserved;
+} bdpt_context_desc;
+
+/* Creates a context. abi must be BDPT_ABI; desc may be NULL for all defaults.
+ * Returns: BDPT_ERROR_ABI, _INVALID_ARGUMENT, _UNSUPPORTED (the ISA is not on this machine), _OUT_OF_MEMORY.
+ * Threads: any thread. Callbacks: allowed. Ownership: the caller gets one reference. executor and log are copied;
+ * their drop is called once, also when this call fails. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_context_create(uint32_t abi, const bdpt_context_desc *desc, bdpt_context **context);
+
+/* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
+BDPT_API void bdpt_context_retain(bdpt_context *context);
+/* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
+BDPT_API void bdpt_context_release(bdpt_context *context);
+
+typedef struct bdpt_context_info {
+  uint32_t struct_size;
+  uint32_t threads;      /* bodies that may run at once */
+  bdpt_isa isa;          /* of the ray queries, never BDPT_ISA_BEST */
+  uint32_t embree;       /* version of Embree, as 10000 major + 100 minor + patch */
+  uint64_t memory;       /* bytes in use by scenes (Embree's included), films and blocks */
+  uint64_t memory_peak;  /* the most that was in use */
+} bdpt_context_info;
+
+/* Tells what the context is made of and what it uses.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *info. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_context_get_info(const bdpt_context *context, bdpt_context_info *info);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Cancel token and progress
+ */
+
+typedef struct bdpt_cancel bdpt_cancel;
+
+/* Creates a token that stops the calls it is passed to. It may outlive everything else.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_cancel_create(bdpt_cancel **cancel);
+/* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
+BDPT_API void bdpt_cancel_retain(bdpt_cancel *cancel);
+/* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
+BDPT_API void bdpt_cancel_release(bdpt_cancel *cancel);
+/* Asks the calls that hold the token to stop, within one block of work per thread. One atomic store.
+ * Returns: nothing. Threads: any thread, and signal handlers. Callbacks: allowed. Ownership: none; NULL is ignored. */
+BDPT_API void bdpt_cancel_request(bdpt_cancel *cancel);
+/* Makes the token fresh again. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: none. */
+BDPT_API void bdpt_cancel_reset(bdpt_cancel *cancel);
+/* Returns: 1 if a stop was asked for, else 0; 0 for NULL. Threads: any thread. Callbacks: allowed. Ownership: none. */
+BDPT_API uint32_t bdpt_cancel_is_requested(const bdpt_cancel *cancel);
+
+typedef struct bdpt_progress {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double fraction;    /* work done over work asked for, in [0,1], never falling; by a time or noise limit, an estimate */
+  double seconds;     /* since the call began */
+  uint64_t passes;    /* whole passes done by this call */
+  uint64_t samples;   /* samples (pairs of subpaths) done by this call */
+} bdpt_progress;
+
+/* Called about ten times a second on the calling thread. Zero goes on; another value stops the call. */
+typedef int32_t (*bdpt_progress_fn)(void *user, const bdpt_progress *progress);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Scene building
+ */
+
+typedef struct bdpt_builder bdpt_builder;
+typedef struct bdpt_scene bdpt_scene;
+
+typedef struct bdpt_shape_id { uint64_t id; } bdpt_shape_id;
+typedef struct bdpt_texture_id { uint64_t id; } bdpt_texture_id;
+typedef struct bdpt_material_id { uint64_t id; } bdpt_material_id;
+typedef struct bdpt_light_id { uint64_t id; } bdpt_light_id;
+typedef struct bdpt_instance_id { uint64_t id; } bdpt_instance_id;
+
+/* Creates an empty builder.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller destroys it; it keeps the context alive. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_builder_create(bdpt_context *context, bdpt_builder **builder);
+/* Destroys a builder; scenes built from it live on. Returns: nothing. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: frees it; NULL is ignored. */
+BDPT_API void bdpt_builder_destroy(bdpt_builder *builder);
+
+typedef int32_t bdpt_format;
+#define BDPT_FORMAT_NONE 0     /* allowed only in a view whose count is 0 */
+#define BDPT_FORMAT_FLOAT2 1   /* two 32-bit floats */
+#define BDPT_FORMAT_FLOAT3 2   /* three 32-bit floats */
+#define BDPT_FORMAT_UINT16X3 3 /* a triangle's three indices */
+#define BDPT_FORMAT_UINT32X3 4
+
+typedef int32_t bdpt_ownership;
+#define BDPT_OWNERSHIP_COPY 0   /* the library copies during the call */
+#define BDPT_OWNERSHIP_BORROW 1 /* the data must stay, unchanged, until release is called */
+
+/* A strided array. It never changes its size. release, if not NULL, is called exactly once for every view of a
+ * call that was given one, whatever the call's result and the view's ownership: during the call if the data is
+ * copied or the call fails, else on the thread that drops the last builder or scene that needs it. */
+typedef struct bdpt_data {
+  const void *data;         /* aligned to 4 bytes (2 for UINT16X3) */
+  uint64_t count;           /* elements: vertices, or triangles for indices; 0 = absent */
+  uint64_t stride;          /* bytes from element to element; 0 = packed. A multiple of 4 (2 for UINT16X3) */
+  bdpt_format format;
+  bdpt_ownership ownership;
+  uint64_t slack_bytes;     /* readable bytes behind the last element; with 16, positions and indices need no copy */
+  void (*release)(void *user, const void *data);
+  void *user;
+} bdpt_data;
+
+typedef struct bdpt_mesh_desc {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const char *label;   /* names the object in error texts; may be NULL; copied */
+  bdpt_data positions; /* FLOAT3, required, finite */
+  bdpt_data indices;   /* UINT16X3 or UINT32X3; absent = vertices 3i, 3i+1, 3i+2 */
+  bdpt_data normals;   /* FLOAT3, as many as positions, of any length but zero; absent = flat */
+  bdpt_data uv[2];     /* FLOAT2, as many as positions; set 0 for textures, set 1 for lightmaps */
+} bdpt_mesh_desc;
+
+/* Adds a triangle mesh. Triangles without area are dropped and counted (bdpt_scene_info, and the log).
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (missing, misaligned or non-finite data, no triangle, index out of range),
+ * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
+ * Ownership: see bdpt_data. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_mesh_add(bdpt_builder *builder, const bdpt_mesh_desc *desc, bdpt_shape_id *shape);
+
+typedef struct bdpt_sphere_desc {
+  uint32_t struct_size;
+  float radius; /* > 0 */
+  const char *label;
+  float center[3];
+  uint32_t reserved;
+} bdpt_sphere_desc;
+
+/* Adds an exact sphere. Instances of it may be rotated, moved and scaled alike in all directions.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_sphere_add(bdpt_builder *builder, const bdpt_sphere_desc *desc, bdpt_shape_id *shape);
+
+/* Removes a mesh or sphere that no instance uses.
+ * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: the builder's share of the data ends. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_shape_remove(bdpt_builder *builder, bdpt_shape_id shape);
+
+typedef int32_t bdpt_texel;
+#define BDPT_TEXEL_UINT8 0
+#define BDPT_TEXEL_FLOAT 1
+
+typedef int32_t bdpt_encoding;
+#define BDPT_ENCODING_SRGB 0   /* texels are decoded by the sRGB curve */
+#define BDPT_ENCODING_LINEAR 1
+
+typedef struct bdpt_texture_desc {
+  uint32_t struct_size;
+  uint32_t channels;      /* 1, 3 or 4; a fourth is not used yet */
+  const char *label;
+  const void *pixels;     /* row 0 is the top, v = 1 */
+  uint32_t width, height; /* 1 to 65536 */
+  uint64_t row_stride;    /* bytes; 0 = packed */
+  bdpt_texel texel;
+  bdpt_encoding encoding;
+} bdpt_texture_desc;
+
+/* Adds an image texture: bilinear, repeated in both directions, looked up by uv set 0.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite or negative), _MEMORY_LIMIT,
+ * _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
+/* Removes a texture that no material uses.
+ * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: the builder's copy ends. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_texture_remove(bdpt_builder *builder, bdpt_texture_id texture);
+
+typedef int32_t bdpt_material_type;
+#define BDPT_MATERIAL_DIFFUSE 0    /* f = reflectance / pi */
+#define BDPT_MATERIAL_MIRROR 1     /* perfect reflection, times reflectance */
+#define BDPT_MATERIAL_CONDUCTOR 2  /* Fresnel reflection by a complex index; smooth, or GGX where roughness > 0 */
+#define BDPT_MATERIAL_DIELECTRIC 3 /* Fresnel reflection and refraction; smooth, or GGX where roughness > 0 */
+
+typedef struct bdpt_material_desc {
+  uint32_t struct_size;
+  bdpt_material_type type;
+  const char *label;
+  float reflectance[3];                /* diffuse and mirror: [0,1] per channel */
+  uint32_t one_sided;                  /* 1: what meets the back is absorbed. Not for dielectrics */
+  bdpt_texture_id reflectance_texture; /* diffuse and mirror: multiplies nothing, replaces reflectance; zero = none */
+  float eta[3];                        /* conductor: real part of the index, >= 0 */
+  float k[3];                          /* conductor: imaginary part, >= 0; eta and k not both zero in a channel */
+  float ior;                           /* dielectric: index inside over index outside; 0 = 1.5; else in [0.1, 10] */
+  float roughness[2];                  /* GGX alpha along u and v, [0,1]; both 0 = smooth; one 0 is an error */
+  float emission[3];                   /* radiance emitted by the front [W/(m² sr)], >= 0: an instance is a light */
+  uint32_t emission_two_sided;         /* 1: the back emits too */
+  uint32_t reserved;
+} bdpt_material_desc;
+
+/* Adds a material. The anisotropic direction u is that of uv set 0.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID (texture), _OUT_OF_MEMORY. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies.
+ * Source: GGX by Walter et al. (2007), visible normals sampled after Heitz (2018). */
+BDPT_API BDPT_CHECK bdpt_result bdpt_material_add(bdpt_builder *builder, const bdpt_material_desc *desc, bdpt_material_id *material);
+/* Replaces a material's description for scenes built from now on.
+ * Returns: as bdpt_material_add, and BDPT_ERROR_INVALID_ID. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_material_update(bdpt_builder *builder, bdpt_material_id material, const bdpt_material_desc *desc);
+/* Removes a material that no instance uses.
+ * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_material_remove(bdpt_builder *builder, bdpt_material_id material);
+
+typedef int32_t bdpt_light_type;
+#define BDPT_LIGHT_POINT 0
+#define BDPT_LIGHT_SPOT 1        /* a point that shines into a cone, with a smooth edge */
+#define BDPT_LIGHT_ENVIRONMENT 2 /* the same radiance from all directions; at most one in a scene */
+
+/* Area lights are instances whose material emits. */
+typedef struct bdpt_light_desc {
+  uint32_t struct_size;
+  bdpt_light_type type;
+  const char *label;
+  float position[3];      /* point, spot */
+  float direction[3];     /* spot: the axis, of any length but zero */
+  float intensity[3];     /* point, spot: W/sr, on the axis; >= 0 */
+  float radiance[3];      /* environment: W/(m² sr), >= 0 */
+  float cone_angle;       /* spot: from axis to the dark, (0,180) degrees */
+  float cone_falloff;     /* spot: width of the edge inside it, [0, cone_angle] degrees: the intensity is
+                             t²(3 - 2t) with t = (cos θ - cos a) / (cos(a - f) - cos a) */
+} bdpt_light_desc;
+
+/* Adds a light.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_light_add(bdpt_builder *builder, const bdpt_light_desc *desc, bdpt_light_id *light);
+/* Replaces a light's description for scenes built from now on.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_light_update(bdpt_builder *builder, bdpt_light_id light, const bdpt_light_desc *desc);
+/* Removes a light.
+ * Returns: BDPT_ERROR_INVALID_ID, _INVALID_ARGUMENT. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_light_remove(bdpt_builder *builder, bdpt_light_id light);
+
+typedef struct bdpt_instance_desc {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const char *label;
+  bdpt_shape_id shape;
+  bdpt_material_id material;
+  float transform[12]; /* object to world, invertible; twelve zeros = identity */
+} bdpt_instance_desc;
+
+/* Places a shape, with a material, in the world.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a transform that is singular or not finite, or that makes an ellipsoid of a
+ * sphere), _INVALID_ID, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
+ * Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_instance_add(bdpt_builder *builder, const bdpt_instance_desc *desc, bdpt_instance_id *instance);
+/* Replaces an instance's description for scenes built from now on.
+ * Returns: as bdpt_instance_add. Threads: one thread per object. Callbacks: not for the builder in use.
+ * Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_instance_update(bdpt_builder *builder, bdpt_instance_id instance, const bdpt_instance_desc *desc);
+/* Removes an instance.
+ * Returns: BDPT_ERROR_INVALID_ID, _INVALID_ARGUMENT. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_instance_remove(bdpt_builder *builder, bdpt_instance_id instance);
+
+typedef struct bdpt_build_desc {
+  uint32_t struct_size;
+  uint32_t reserved;
+  bdpt_cancel *cancel;       /* may be NULL */
+  bdpt_progress_fn progress; /* may be NULL */
+  void *user;                /* for progress */
+} bdpt_build_desc;
+
+/* Builds an immutable scene from what the builder holds. The builder can go on and build others. desc may be NULL.
+ * A scene with no light is allowed, renders black, and says so in the log.
+ * Returns: BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT (no instance and no light; two environments), _MEMORY_LIMIT,
+ * _OUT_OF_MEMORY, _CALLBACK_FAILED. Threads: one thread per builder. Callbacks: not for the builder in use.
+ * Ownership: the caller gets one reference; the scene keeps the context and the borrowed data alive. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_scene_build(bdpt_builder *builder, const bdpt_build_desc *desc, bdpt_scene **scene);
+/* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
+BDPT_API void bdpt_scene_retain(bdpt_scene *scene);
+/* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
+BDPT_API void bdpt_scene_release(bdpt_scene *scene);
+
+typedef struct bdpt_scene_info {
+  uint32_t struct_size;
+  uint32_t lights;               /* lights: emitting instances, point lights, spots, environment */
+  uint64_t instances;
+  uint64_t triangles;            /* instanced ones counted once for each instance */
+  uint64_t spheres;
+  uint64_t degenerate_triangles; /* dropped, for having no area, once for each instance */
+  uint64_t memory;               /* bytes, Embree's structures included */
+  uint64_t memory_embree;        /* bytes of Embree's structures */
+  uint64_t hash;                 /* of all that decides the picture */
+  float bounds_min[3], bounds_max[3]; /* of the geometry; both zero when there is none */
+} bdpt_scene_info;
+
+/* Tells what a scene holds.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *info. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_scene_get_info(const bdpt_scene *scene, bdpt_scene_info *info);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Sensors
+ */
+
+typedef struct bdpt_sensor bdpt_sensor;
+
+/* A perspective camera that looks along its own -z, with x to the right and y up. */
+typedef struct bdpt_camera_desc {
+  uint32_t struct_size;
+  uint32_t width, height;   /* of the whole image, 1 to 65536 pixels */
+  uint32_t crop[4];         /* x0, y0, x1, y1: the pixels measured, x1 and y1 outside; four zeros = all */
+  float transform[12];      /* camera to world: rotation, reflection and translation; uniform scale is taken out */
+  float field_of_view;      /* vertical, of the whole image, (0,180) degrees; 0 = 45 */
+  float lens_radius;        /* world units; 0 = a pinhole */
+  float focus_distance;     /* from the lens to the plane in focus, along the axis, > 0; 0 with a pinhole only */
+  uint32_t aperture_blades; /* 0 = round; else 3 to 32: a regular polygon whose corners have lens_radius */
+  float aperture_rotation;  /* degrees, counter-clockwise as seen from behind the camera; 0 = a corner on the x axis */
+  float shift[2];           /* the frame's centre moves right and up by these fractions of its width and height */
+} bdpt_camera_desc;
+
+/* Creates a camera. A pixel measures the radiance that arrives, averaged by the filter, and over the lens.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_camera_create(bdpt_context *context, const bdpt_camera_desc *desc, bdpt_sensor **sensor);
+/* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
+BDPT_API void bdpt_sensor_retain(bdpt_sensor *sensor);
+/* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
+BDPT_API void bdpt_sensor_release(bdpt_sensor *sensor);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Film: the measurements
+ */
+
+typedef struct bdpt_film bdpt_film;
+
+typedef int32_t bdpt_filter;
+#define BDPT_FILTER_BOX 0             /* radius 0.5 by default */
+#define BDPT_FILTER_TENT 1            /* radius 1 */
+#define BDPT_FILTER_GAUSSIAN 2        /* radius 1.5, standard deviation a (0 = 0.5), shifted to reach zero */
+#define BDPT_FILTER_MITCHELL 3        /* radius 2, with b and c (both 0 = 1/3 each); has negative lobes */
+#define BDPT_FILTER_BLACKMAN_HARRIS 4 /* radius 2 */
+
+typedef int32_t bdpt_normalization;
+#define BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED 0 /* the eye image is divided by its sum of weights, Veach (10.11):
+                                                      less noise, a slight bias; the two agree for a box of 0.5 */
+#define BDPT_NORMALIZATION_SAMPLE_COUNT 1          /* divided by the number of samples, Veach (10.10): unbiased */
+
+typedef struct bdpt_film_desc {
+  uint32_t struct_size;
+  bdpt_filter filter;
+  float filter_radius;     /* pixels, [0.5, 8]; 0 = the filter's own */
+  float filter_a;          /* Gaussian: standard deviation in pixels; Mitchell: B */
+  float filter_b;          /* Mitchell: C */
+  bdpt_normalization normalization;
+  uint32_t groups;         /* independent groups of passes, pass p belongs to group p mod groups: [1,16]; 0 = 2. The
+                              estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more */
+  uint32_t pyramid_edges;  /* keep an image of each technique (s,t) of paths of up to so many edges: [0,15];
+                              48 bytes per pixel and technique, of which k edges have k + 2. 0 = none */
+} bdpt_film_desc;
+
+/* Creates an empty film for a sensor. desc may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference; the film keeps the sensor's size, not the sensor. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_create(bdpt_sensor *sensor, const bdpt_film_desc *desc, bdpt_film **film);
+/* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
+BDPT_API void bdpt_film_retain(bdpt_film *film);
+/* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
+BDPT_API void bdpt_film_release(bdpt_film *film);
+
+typedef struct bdpt_film_info {
+  uint32_t struct_size;
+  uint32_t width, height;  /* of the region measured: that of the crop window */
+  uint32_t groups;
+  uint32_t pyramid_edges;
+  bdpt_filter filter;
+  float filter_radius;
+  bdpt_normalization normalization;
+  uint64_t passes;         /* whole passes in the film */
+  uint64_t first_pass;     /* the lowest of them */
+  uint64_t next_pass;      /* one past the highest of them: where a render would go on */
+  uint64_t seed;           /* of the render that filled it; 0 while empty */
+  uint64_t scene_hash;     /* 0 while empty */
+  uint64_t options_hash;   /* of sensor, film and render options; 0 while empty */
+  uint64_t rejected;       /* contributions that were not finite or too large for the film, and were left out */
+  double relative_error;   /* square root of the relative variance, averaged over the pixels: var / (mean² + 0.01 M²)
+                              with M the mean of the image; -1 while unknown (fewer than two groups hold passes) */
+} bdpt_film_info;
+
+/* Tells what a film holds.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: one thread per object. Callbacks: allowed.
+ * Ownership: copies into *info. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_get_info(const bdpt_film *film, bdpt_film_info *info);
+
+typedef int32_t bdpt_layer;
+#define BDPT_LAYER_COLOR 0     /* 3 channels: the image, eye image plus light image */
+#define BDPT_LAYER_EYE 1       /* 3 channels: t >= 2 */
+#define BDPT_LAYER_LIGHT 2     /* 3 channels: t <= 1 */
+#define BDPT_LAYER_VARIANCE 3  /* 3 channels: the variance of COLOR (of the mean, not of one sample), from the groups;
+                                  with two groups it has one degree of freedom: average it over a neighbourhood */
+#define BDPT_LAYER_TECHNIQUE 4 /* 3 channels: the weighted contribution of technique (s,t) of the pyramid */
+
+typedef struct bdpt_read_desc {
+  uint32_t struct_size;
+  bdpt_layer layer;
+  uint32_t s, t;             /* for BDPT_LAYER_TECHNIQUE */
+  uint32_t rect[4];          /* x0, y0, x1, y1 within the film; four zeros = all */
+  uint64_t row_stride;       /* bytes from row to row in the destination; 0 = packed */
+  uint32_t flip;             /* 1: the bottom row first */
+  uint32_t include_partial;  /* 1: with the blocks of a pass that a cancel interrupted, each weighed as if the pass were
+                                whole; 0: whole passes only */
+} bdpt_read_desc;
+
+/* Reads a layer as 32-bit floats, 3 to a pixel. An empty film reads as zero.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also when capacity, in bytes, is too small, or the film has no such layer).
+ * Threads: one thread per object. Callbacks: allowed. Ownership: copies into pixels. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_read(const bdpt_film *film, const bdpt_read_desc *desc, float *pixels, uint64_t capacity);
+
+/* Empties a film, so that another scene or other options may fill it.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _REENTRANT. Threads: one thread per object. Callbacks: not for a film in use.
+ * Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_clear(bdpt_film *film);
+/* Adds the passes of source to destination, exactly: the merge of [0,k) and [k,n) is the render of [0,n).
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for one film twice), _MISMATCH (other scene, seed or options, or
+ * overlapping passes; an empty film takes all), _REENTRANT. Threads: one thread per object, both.
+ * Callbacks: not for a film in use. Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_merge(bdpt_film *destination, const bdpt_film *source);
+/* Writes the film's whole state to a file, first under another name, so that path holds the old file or the new one.
+ * Blocks of an interrupted pass are not saved.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _IO. Threads: one thread per object. Callbacks: allowed. Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_save(const bdpt_film *film, const char *path);
+/* Reads a film that bdpt_film_save wrote.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _IO, _FORMAT, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread.
+ * Callbacks: allowed. Ownership: the caller gets one reference. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_load(bdpt_context *context, const char *path, bdpt_film **film);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Render
+ */
+
+typedef struct bdpt_render bdpt_render;
+
+typedef int32_t bdpt_heuristic;
+#define BDPT_HEURISTIC_POWER 0    /* Veach (9.11): w = p^beta / sum p^beta */
+#define BDPT_HEURISTIC_BALANCE 1  /* the power heuristic with beta = 1 */
+#define BDPT_HEURISTIC_CUTOFF 2   /* Veach (9.10): balance among the techniques with p >= cutoff * p_max */
+#define BDPT_HEURISTIC_MAXIMUM 3  /* the technique with the greatest p takes all */
+#define BDPT_HEURISTIC_AVERAGE 4  /* all techniques that can make the path, alike; the variance may be infinite */
+#define BDPT_HEURISTIC_NONE 5     /* no weights: every technique in full. The image is no estimate; its pyramid shows
+                                     each technique alone */
+
+typedef int32_t bdpt_sampler;
+#define BDPT_SAMPLER_SOBOL 0       /* Owen-scrambled Sobol points, fixed dimensions for each vertex */
+#define BDPT_SAMPLER_INDEPENDENT 1
+#define BDPT_SAMPLER_STRATIFIED 2  /* Veach 10.3.1: each pixel in n x n strata, the rest independent */
+
+typedef int32_t bdpt_light_start;
+#define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
+#define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
+
+typedef struct bdpt_render_desc {
+  uint32_t struct_size;
+  uint32_t max_edges;           /* longest path, k edges; 0 = no limit */
+  uint64_t seed;
+  uint64_t first_pass;          /* passes count up from here */
+  uint32_t techniques[32];      /* bit t of techniques[s] allows (s,t); 31 stands for 31 and more, in both. All zero =
+                                   all. Path tracing: [0] = [1] = ~0; light tracing: [s] = 3 for all s */
+  bdpt_heuristic heuristic;
+  float beta;                   /* power heuristic's exponent, (0, 64]; 0 = 2 */
+  float cutoff;                 /* cutoff heuristic's threshold, [0,1] */
+  bdpt_sampler sampler;
+  uint32_t strata;              /* stratified: n, [1,256]; 0 = 4 */
+  bdpt_light_start light_start;
+  uint32_t roulette_start;      /* a subpath's first vertex at which Russian roulette may end it; 0 = 4; at least 1 */
+  uint32_t block_size;          /* samples in a block of work, [1,65536]; 0 = chosen. Changes no bit of the result */
+} bdpt_render_desc;
+
+/* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options
+ * and seed; it then goes on. desc may be NULL. A technique the sensor cannot serve (t = 0 with a pinhole) is dropped,
+ * the weights know of it, and the log says so.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MISMATCH, _IN_USE (the film is in another render), _MEMORY_LIMIT,
+ * _OUT_OF_MEMORY. Threads: any thread. Callbacks: not for a film in use. Ownership: the caller destroys the render; it
+ * keeps scene, sensor and film alive. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_render_create(bdpt_scene *scene, bdpt_sensor *sensor, bdpt_film *film,
+                                                   const bdpt_render_desc *desc, bdpt_render **render);
+/* Destroys a render; the film keeps its whole passes. Returns: nothing. Threads: one thread per object.
+ * Callbacks: not for the render in use. Ownership: frees it; NULL is ignored. */
+BDPT_API void bdpt_render_destroy(bdpt_render *render);
+
+/* Receives the image of the whole passes so far, tile by tile: begin once, tile for each, end once with the result. */
+typedef struct bdpt_output_sink {
+  uint32_t struct_size;
+  uint32_t every; /* send the image after every so many passes, and at the end of the call; 0 = only at the end */
+  int32_t (*begin)(void *user, uint32_t width, uint32_t height, uint64_t passes); /* may be NULL */
+  int32_t (*tile)(void *user, uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1, const float *pixels);
+      /* 3 floats to a pixel, packed; valid during the call only */
+  void (*end)(void *user, bdpt_result result); /* may be NULL; called whenever begin was */
+  void *user;
+} bdpt_output_sink;
+
+typedef struct bdpt_advance_desc {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t passes;              /* stop after so many passes; 0 = no such limit */
+  double seconds;               /* stop at the first whole pass after this time; 0 = no such limit */
+  double noise;                 /* stop when bdpt_film_info's relative_error is at most this; 0 = no such limit */
+  bdpt_cancel *cancel;          /* may be NULL */
+  bdpt_progress_fn progress;    /* may be NULL */
+  void *progress_user;
+  const bdpt_output_sink *sink; /* may be NULL */
+} bdpt_advance_desc;
+
+typedef int32_t bdpt_stop_reason;
+#define BDPT_STOP_PASSES 0
+#define BDPT_STOP_TIME 1
+#define BDPT_STOP_NOISE 2
+#define BDPT_STOP_CANCELLED 3
+#define BDPT_STOP_CALLBACK 4
+
+typedef struct bdpt_advance_report {
+  uint32_t struct_size;
+  bdpt_stop_reason reason;
+  uint64_t passes;        /* whole passes finished by this call */
+  uint64_t next_pass;     /* the first pass that is not finished */
+  double seconds;
+  double relative_error;  /* of the film now; -1 while unknown */
+} bdpt_advance_report;
+
+/* Samples passes until a limit is reached; the first one reached counts, and at least one must be set. It blocks, with
+ * the caller's thread at work too. A cancelled call keeps the blocks that were finished; the next call completes the
+ * pass, and the film is then what it would have been without the cancel.
+ * Returns: BDPT_OK, BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT, _CALLBACK_FAILED, _OUT_OF_MEMORY, _REENTRANT.
+ * report may be NULL. Threads: one thread per object, render and film. Callbacks: not for the render in use.
+ * Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_render_advance(bdpt_render *render, const bdpt_advance_desc *desc, bdpt_advance_report *report);
+
+typedef struct bdpt_render_stats {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t passes;            /* whole passes by this render */
+  uint64_t samples;           /* eye subpaths; as many light subpaths where light subpaths are traced */
+  uint64_t eye_rays;          /* rays that extended an eye subpath */
+  uint64_t light_rays;        /* rays that extended a light subpath */
+  uint64_t shadow_rays;       /* rays that tested a connection */
+  uint64_t shadow_rays_blocked;
+  uint64_t connections;       /* connections weighed; those with nothing to carry cost no shadow ray */
+  uint64_t rejected;          /* contributions not finite or too large, left out */
+  double seconds;             /* inside bdpt_render_advance */
+  double seconds_start;       /* thread-seconds by stage: first vertices */
+  double seconds_extend;      /*   scattering and, with it, s = 0 and t = 0 */
+  double seconds_extend_rays; /*   of which inside the ray queries */
+  double seconds_connect;     /*   connections and their weights */
+  double seconds_shadow;      /*   shadow rays */
+  double seconds_accumulate;  /*   into the film */
+} bdpt_render_stats;
+
+/* Tells what a render has done so far.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: one thread per object. Callbacks: allowed.
+ * Ownership: copies into *stats. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_render_get_stats(const bdpt_render *render, bdpt_render_stats *stats);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Images: display transform and files. These need no context.
+ */
+
+typedef int32_t bdpt_view;
+#define BDPT_VIEW_SRGB 0 /* the sRGB curve, clipped: what numbers look like */
+#define BDPT_VIEW_ACES 1 /* ACES 1.0 SDR video output transform: highlights roll off */
+#define BDPT_VIEW_OCIO 2 /* a display and view of a configuration file */
+
+typedef struct bdpt_display_desc {
+  uint32_t struct_size;
+  bdpt_view view;
+  float exposure;          /* stops; the pixels are multiplied by 2^exposure first */
+  uint32_t reserved;
+  const char *config;      /* BDPT_VIEW_OCIO: path of a configuration; NULL = the environment variable OCIO */
+  const char *color_space; /* BDPT_VIEW_OCIO: of the pixels; NULL = the role scene_linear */
+  const char *display;     /* BDPT_VIEW_OCIO: NULL = the configuration's default */
+  const char *ocio_view;   /* BDPT_VIEW_OCIO: NULL = the display's default */
+} bdpt_display_desc;
+
+/* Turns linear pixels (3 floats each, packed, Rec. 709 primaries) into display values in [0,1], in place, by
+ * OpenColorIO. desc may be NULL for sRGB.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration).
+ * Threads: any thread. Callbacks: allowed. Ownership: writes pixels. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_image_display(const bdpt_display_desc *desc, float *pixels, uint32_t width, uint32_t height);
+
+/* One layer of an image file: 3 floats to a pixel, packed, row 0 the top. */
+typedef struct bdpt_image_layer {
+  const char *name;    /* NULL or "" for the main one, channels R, G, B; else name.R, name.G, name.B */
+  const float *pixels;
+} bdpt_image_layer;
+
+typedef struct bdpt_exr_desc {
+  uint32_t struct_size;
+  uint32_t width, height;
+  uint32_t layer_count;           /* at least 1 */
+  const bdpt_image_layer *layers; /* layer_count of them */
+  uint32_t half;                  /* 1: 16-bit floats, 0: 32-bit */
+  uint32_t layer_stride;          /* bytes from layer to layer; 0 = sizeof(bdpt_image_layer) */
+} bdpt_exr_desc;
+
+/* Writes an OpenEXR file (scanlines, ZIP), first under another name, so that path holds the old file or the new one.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _IO, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads pixels. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_image_write_exr(const char *path, const bdpt_exr_desc *desc);
+
+/* Writes display values as an 8-bit PNG, in the same safe way. Values are clipped to [0,1] and rounded.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a value that is not a number), _IO, _OUT_OF_MEMORY.
+ * Threads: any thread. Callbacks: allowed. Ownership: reads pixels. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_image_write_png(const char *path, const float *pixels, uint32_t width, uint32_t height);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* BDPT_H */

@@ -1,0 +1,37 @@
+// Affine transforms, 3x4 row-major.
+#pragma once
+
+#include "math/vec.h"
+
+namespace bdpt {
+
+struct Transform {
+  float m[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+  Vec3 point(const Vec3& p) const {
+    return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+            m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+  }
+  Vec3 vector(const Vec3& v) const {
+    return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
+            m[8] * v.x + m[9] * v.y + m[10] * v.z};
+  }
+  Vec3 column(int i) const { return {m[i], m[4 + i], m[8 + i]}; }
+  // The transpose of the linear part: takes normals when called on the inverse.
+  Vec3 transposed(const Vec3& v) const {
+    return {m[0] * v.x + m[4] * v.y + m[8] * v.z, m[1] * v.x + m[5] * v.y + m[9] * v.z,
+            m[2] * v.x + m[6] * v.y + m[10] * v.z};
+  }
+  double determinant() const {
+    const double a = m[0], b = m[1], c = m[2], d = m[4], e = m[5], f = m[6], g = m[8], h = m[9], i = m[10];
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g);
+  }
+  bool is_identity() const {
+    const Transform one;
+    for (int i = 0; i < 12; ++i)
+      if (m[i] != one.m[i]) return false;
+    return true;
+  }
+};
+
+}  // namespace bdpt
