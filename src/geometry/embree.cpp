@@ -1,0 +1,273 @@
+#include "geometry/embree.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <string>
+
+namespace bdpt {
+
+namespace {
+
+// Lanes of a packet that hold a ray; Embree wants -1 for those that do.
+void set_valid(int* valid, size_t lanes) {
+  for (size_t i = 0; i < 16; ++i) valid[i] = i < lanes ? -1 : 0;
+}
+
+#if RTC_VERSION_MAJOR >= 4
+void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays) { rtcIntersect16(valid, scene, rays); }
+void occluded16(const int* valid, RTCScene scene, RTCRay16* rays) { rtcOccluded16(valid, scene, rays); }
+#else
+void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect16(valid, scene, &context, rays);
+}
+void occluded16(const int* valid, RTCScene scene, RTCRay16* rays) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded16(valid, scene, &context, rays);
+}
+#endif
+
+void load(RTCRay16& packet, const Ray* rays, size_t lanes) {
+  for (size_t i = 0; i < lanes; ++i) {
+    packet.org_x[i] = rays[i].origin.x;
+    packet.org_y[i] = rays[i].origin.y;
+    packet.org_z[i] = rays[i].origin.z;
+    packet.dir_x[i] = rays[i].direction.x;
+    packet.dir_y[i] = rays[i].direction.y;
+    packet.dir_z[i] = rays[i].direction.z;
+    packet.tfar[i] = rays[i].tmax;
+  }
+  for (size_t i = 0; i < 16; ++i) {
+    packet.tnear[i] = 0;
+    packet.time[i] = 0;
+    packet.mask[i] = ~0u;
+    packet.id[i] = 0;
+    packet.flags[i] = 0;
+  }
+}
+
+const char* isa_config(Isa isa) {
+  switch (isa) {
+    case Isa::Sse42: return "isa=sse4.2";
+    case Isa::Avx2: return "isa=avx2";
+    case Isa::Avx512: return "isa=avx512";
+    case Isa::Best: break;
+  }
+  return nullptr;
+}
+
+Isa best_isa() {
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512vl"))
+    return Isa::Avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Isa::Avx2;
+  return Isa::Sse42;
+}
+
+[[noreturn]] void fail_device(RTCDevice device, const char* what) {
+  const RTCError error = rtcGetDeviceError(device);
+  if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, what, ": Embree is out of memory");
+  fail(ErrorCode::Internal, what, ": Embree reports error ", int(error));
+}
+
+}  // namespace
+
+struct RayDevice::Implementation {
+  RTCDevice device = nullptr;
+  Isa isa = Isa::Best;
+  std::shared_ptr<MemoryMeter> meter;
+  std::atomic<int64_t> bytes{0};
+  std::atomic<bool> over_limit{false};
+
+  // Embree tells of each allocation beforehand; refusing one makes it report out of memory.
+  static bool on_memory(void* self, ssize_t bytes, bool post) {
+    auto& i = *static_cast<Implementation*>(self);
+    if (bytes > 0 && !i.meter->try_add(uint64_t(bytes))) {
+      if (post) {  // already allocated: it must be booked
+        i.bytes += bytes;
+        return true;
+      }
+      i.over_limit = true;
+      return false;
+    }
+    if (bytes < 0) i.meter->subtract(uint64_t(-bytes));
+    i.bytes += bytes;
+    return true;
+  }
+};
+
+RayDevice::RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter) : implementation_(std::make_unique<Implementation>()) {
+  auto& i = *implementation_;
+  const Isa best = best_isa();
+  if (int(isa) > int(best)) fail(ErrorCode::Unsupported, "isa: this machine does not have it; BDPT_ISA_BEST takes what it has");
+  i.isa = isa == Isa::Best ? best : isa;
+  i.meter = std::move(meter);
+  i.device = rtcNewDevice(isa_config(isa));
+  if (!i.device) fail(ErrorCode::Unsupported, "Embree cannot run on this machine (error ", int(rtcGetDeviceError(nullptr)), ")");
+  rtcSetDeviceMemoryMonitorFunction(i.device, Implementation::on_memory, &i);
+}
+
+RayDevice::~RayDevice() {
+  rtcSetDeviceMemoryMonitorFunction(implementation_->device, nullptr, nullptr);
+  rtcReleaseDevice(implementation_->device);
+  if (implementation_->bytes > 0) implementation_->meter->subtract(uint64_t(implementation_->bytes.load()));
+}
+
+Isa RayDevice::isa() const { return implementation_->isa; }
+uint32_t RayDevice::version() { return RTC_VERSION_MAJOR * 10000 + RTC_VERSION_MINOR * 100 + RTC_VERSION_PATCH; }
+uint64_t RayDevice::memory() const { return uint64_t(std::max<int64_t>(0, implementation_->bytes.load())); }
+
+struct RayScene::Implementation {
+  std::shared_ptr<const RayDevice> device;
+  RTCScene scene = nullptr;
+  std::vector<RTCScene> instanced;           // one for each mesh that several instances share
+  const std::function<bool(double)>* progress = nullptr;
+  bool cancelled = false;
+
+  ~Implementation() {
+    if (scene) rtcReleaseScene(scene);
+    for (RTCScene s : instanced) rtcReleaseScene(s);
+  }
+
+  RTCDevice handle() const { return device->implementation().device; }
+
+  static bool on_progress(void* self, double n) {
+    auto& i = *static_cast<Implementation*>(self);
+    if (i.progress && *i.progress && !(*i.progress)(n)) i.cancelled = true;
+    return !i.cancelled;
+  }
+
+  RTCScene new_scene() {
+    RTCScene s = rtcNewScene(handle());
+    rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);  // the HIGH builder is not known to be deterministic
+    return s;
+  }
+
+  void commit(RTCScene s) {
+    rtcCommitScene(s);
+    if (cancelled) {
+      rtcGetDeviceError(handle());
+      throw Cancelled();
+    }
+    auto& d = device->implementation();
+    if (d.over_limit.exchange(false)) {
+      rtcGetDeviceError(handle());
+      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(), " bytes");
+    }
+    const RTCError error = rtcGetDeviceError(handle());
+    if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+    if (error != RTC_ERROR_NONE) fail(ErrorCode::Internal, "Embree reports error ", int(error), " while building");
+  }
+
+  RTCGeometry triangles(const View<Vec3>& positions, const View<Triangle>& indices) {
+    RTCGeometry g = rtcNewGeometry(handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, positions.stride(),
+                               positions.size());
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, indices.stride(),
+                               indices.size());
+    return g;
+  }
+
+  RTCGeometry sphere(const Sphere& s, const Transform& transform) {
+    RTCGeometry g = rtcNewGeometry(handle(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    auto* v = static_cast<float*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+    if (!v) fail_device(handle(), "a sphere");
+    const Vec3 c = transform.point(s.center);
+    v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = s.radius * length(transform.column(0));
+    return g;
+  }
+
+  RTCGeometry instance(RTCScene of, const Transform& transform) {
+    RTCGeometry g = rtcNewGeometry(handle(), RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(g, of);
+    rtcSetGeometryTimeStepCount(g, 1);
+    rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, transform.m);
+    return g;
+  }
+
+  void attach(RTCGeometry g, uint32_t id) {
+    rtcCommitGeometry(g);
+    rtcAttachGeometryByID(scene, g, id);
+    rtcReleaseGeometry(g);
+  }
+};
+
+RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<RayGeometry>& geometries,
+                   const std::function<bool(double)>& progress)
+    : implementation_(std::make_unique<Implementation>()) {
+  auto& i = *implementation_;
+  i.device = std::move(device);
+  i.progress = &progress;
+  i.scene = i.new_scene();
+  std::vector<std::pair<const Mesh*, RTCScene>> shared;
+  for (uint32_t id = 0; id < geometries.size(); ++id) {
+    const RayGeometry& g = geometries[id];
+    if (g.sphere) {
+      i.attach(i.sphere(*g.sphere, g.transform), id);
+    } else if (!g.instanced) {
+      i.attach(i.triangles(g.world_positions, g.mesh->triangles), id);
+    } else {
+      auto found = std::find_if(shared.begin(), shared.end(), [&](const auto& s) { return s.first == g.mesh; });
+      if (found == shared.end()) {
+        RTCScene s = i.new_scene();
+        i.instanced.push_back(s);
+        RTCGeometry t = i.triangles(g.world_positions, g.mesh->triangles);
+        rtcCommitGeometry(t);
+        rtcAttachGeometry(s, t);
+        rtcReleaseGeometry(t);
+        i.commit(s);
+        found = shared.insert(shared.end(), {g.mesh, s});
+      }
+      i.attach(i.instance(found->second, g.transform), id);
+    }
+  }
+  rtcSetSceneProgressMonitorFunction(i.scene, Implementation::on_progress, &i);
+  i.commit(i.scene);
+  rtcSetSceneProgressMonitorFunction(i.scene, nullptr, nullptr);
+  i.progress = nullptr;
+}
+
+RayScene::~RayScene() = default;
+
+void RayScene::intersect(const Ray* rays, Hit* hits, size_t count) const {
+  alignas(64) RTCRayHit16 packet;
+  alignas(64) int valid[16];
+  for (size_t first = 0; first < count; first += 16) {
+    const size_t lanes = std::min<size_t>(16, count - first);
+    set_valid(valid, lanes);
+    load(packet.ray, rays + first, lanes);
+    for (size_t k = 0; k < 16; ++k) packet.hit.geomID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    intersect16(valid, implementation_->scene, &packet);
+    for (size_t k = 0; k < lanes; ++k) {
+      const uint32_t instance = packet.hit.instID[0][k];
+      Hit& hit = hits[first + k];
+      hit.instance = instance != RTC_INVALID_GEOMETRY_ID ? instance : packet.hit.geomID[k];
+      hit.primitive = packet.hit.primID[k];
+      hit.u = packet.hit.u[k];
+      hit.v = packet.hit.v[k];
+      hit.t = packet.ray.tfar[k];
+    }
+  }
+}
+
+void RayScene::occluded(const Ray* rays, uint8_t* blocked, size_t count) const {
+  alignas(64) RTCRay16 packet;
+  alignas(64) int valid[16];
+  for (size_t first = 0; first < count; first += 16) {
+    const size_t lanes = std::min<size_t>(16, count - first);
+    set_valid(valid, lanes);
+    load(packet, rays + first, lanes);
+    occluded16(valid, implementation_->scene, &packet);
+    for (size_t k = 0; k < lanes; ++k) blocked[first + k] = packet.tfar[k] < 0;
+  }
+}
+
+}  // namespace bdpt

@@ -1,0 +1,82 @@
+// The ray queries. This pair of files is the only one that knows Embree, and hides which of 3.13 and 4 it is.
+#pragma once
+
+#include "base/memory.h"
+#include "geometry/mesh.h"
+#include "math/transform.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace bdpt {
+
+struct Ray {
+  Vec3 origin;
+  float tmax;
+  Vec3 direction;  // need not be of unit length
+};
+
+inline constexpr uint32_t kMiss = ~0u;
+
+struct Hit {
+  uint32_t instance = kMiss;  // index into the scene's instances
+  uint32_t primitive = 0;     // triangle of the mesh
+  float u = 0, v = 0;         // barycentric coordinates of the triangle's second and third vertex
+  float t = 0;
+};
+
+enum class Isa { Best, Sse42, Avx2, Avx512 };
+
+// One of Embree's devices; books what Embree allocates.
+class RayDevice {
+ public:
+  RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter);
+  ~RayDevice();
+  RayDevice(const RayDevice&) = delete;
+  RayDevice& operator=(const RayDevice&) = delete;
+
+  Isa isa() const;
+  static uint32_t version();  // 10000 major + 100 minor + patch
+  uint64_t memory() const;    // bytes Embree holds now
+
+  struct Implementation;
+  Implementation& implementation() const { return *implementation_; }
+
+ private:
+  std::unique_ptr<Implementation> implementation_;
+};
+
+// What one instance gives to the ray queries.
+struct RayGeometry {
+  const Mesh* mesh = nullptr;      // or
+  const Sphere* sphere = nullptr;
+  Transform transform;             // object to world
+  // World positions, padded by 16 bytes, when the mesh is placed only once and is therefore not instanced.
+  View<Vec3> world_positions;
+  bool instanced = false;  // several instances of one mesh share one structure
+};
+
+// The acceleration structure of a scene. Queries are thread-safe and pure: how rays are grouped changes no answer.
+class RayScene {
+ public:
+  // progress(fraction) returns false to stop; then the constructor throws Cancelled.
+  struct Cancelled {};
+  RayScene(std::shared_ptr<const RayDevice> device, const std::vector<RayGeometry>& geometries,
+           const std::function<bool(double)>& progress);
+  ~RayScene();
+  RayScene(const RayScene&) = delete;
+  RayScene& operator=(const RayScene&) = delete;
+
+  // The closest hit of each ray, in packets of 16.
+  void intersect(const Ray* rays, Hit* hits, size_t count) const;
+  // Whether anything lies on each ray in (0, tmax), in packets of 16.
+  void occluded(const Ray* rays, uint8_t* blocked, size_t count) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace bdpt

@@ -1,0 +1,74 @@
+// Triangle meshes and spheres as the builder keeps them: in object space, validated, shared by all scenes that use them.
+#pragma once
+
+#include "math/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bdpt {
+
+// A strided array of T over memory that is the library's (owned) or the host's (borrowed).
+template <class T>
+class View {
+ public:
+  View() = default;
+  View(const void* data, size_t count, size_t stride)
+      : data_(static_cast<const std::byte*>(data)), count_(count), stride_(stride) {}
+  T operator[](size_t i) const {
+    T value;
+    std::memcpy(static_cast<void*>(&value), data_ + i * stride_, sizeof(T));
+    return value;
+  }
+  size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  size_t stride() const { return stride_; }
+  const void* data() const { return data_; }
+
+ private:
+  const std::byte* data_ = nullptr;
+  size_t count_ = 0;
+  size_t stride_ = sizeof(T);
+};
+
+struct Triangle {
+  uint32_t a, b, c;
+};
+
+// Whatever keeps a view's memory alive: a vector of our own, or the host's release callback.
+using Keeper = std::shared_ptr<const void>;
+
+struct Mesh {
+  std::string label;
+  View<Vec3> positions;
+  View<Triangle> triangles;  // without the degenerate ones; always 32-bit
+  View<Vec3> normals;        // empty = flat
+  View<Vec2> uv[2];          // empty = absent
+  bool positions_padded = false;  // 16 readable bytes behind the last position: Embree may read the array itself
+  uint64_t degenerate = 0;        // triangles that were dropped
+  uint64_t memory = 0;            // bytes that are the library's own
+  uint64_t content_hash = 0;
+  std::vector<Keeper> keepers;
+};
+
+struct Sphere {
+  std::string label;
+  Vec3 center;
+  float radius = 1;
+};
+
+// A shape is one of the two.
+struct Shape {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Sphere> sphere;
+};
+
+// Drops triangles without area from indices; true if any was.
+bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace bdpt

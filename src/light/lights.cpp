@@ -1,0 +1,251 @@
+#include "light/lights.h"
+
+#include "sampling/warp.h"
+
+#include <limits>
+
+namespace bdpt {
+
+namespace {
+
+// 1 - cos of the half-angle under which a sphere appears from a distance d > r, safe for small angles.
+float one_minus_cos_cap(float radius, float d2) {
+  const float sin2 = std::min(1.0f, radius * radius / d2);
+  return sin2 / (1 + safe_sqrt(1 - sin2));
+}
+
+double power_of_area(const Lights::AreaLight& a) {
+  return double(norm(a.radiance)) * kPi * a.area * (a.two_sided ? 2 : 1);
+}
+
+}  // namespace
+
+void Lights::build(std::vector<AreaLight> areas, const std::vector<LightDesc>& others, const Vec3& center, float radius) {
+  areas_ = std::move(areas);
+  others_ = others;
+  center_ = center;
+  radius_ = std::max(radius, 1e-6f);
+  for (size_t i = 0; i < areas_.size(); ++i) {
+    const Kind kind = areas_[i].is_sphere ? Kind::Sphere : Kind::Triangles;
+    lights_.push_back({kind, int(i), power_of_area(areas_[i])});
+    any_hittable_ = true;
+  }
+  for (size_t i = 0; i < others_.size(); ++i) {
+    const LightDesc& o = others_[i];
+    Light light{Kind::Point, int(i), 0};
+    switch (o.type) {
+      case LightType::Point: light.power = 4.0 * kPi * norm(o.intensity); break;
+      case LightType::Spot:
+        light.kind = Kind::Spot;
+        light.power = 2.0 * kPi * norm(o.intensity) * (1 - 0.5 * (double(o.cos_inner) + o.cos_outer));
+        break;
+      case LightType::Environment:
+        light.kind = Kind::Environment;
+        light.power = 4.0 * kPi * kPi * double(radius_) * radius_ * norm(o.radiance);
+        environment_ = int(lights_.size());
+        environment_radiance_ = o.radiance;
+        any_hittable_ = true;
+        break;
+    }
+    lights_.push_back(light);
+  }
+  std::vector<double> power;
+  for (const Light& l : lights_) power.push_back(l.power);
+  by_power_ = Discrete(power);
+}
+
+float Lights::choice(int light, bool uniform) const {
+  return uniform ? 1.0f / float(lights_.size()) : by_power_.probability(size_t(light));
+}
+
+float Lights::spot_falloff(const LightDesc& spot, const Vec3& w) const {
+  const float c = dot(w, spot.direction);
+  if (c <= spot.cos_outer) return 0;
+  if (c >= spot.cos_inner) return 1;
+  const float t = (c - spot.cos_outer) / (spot.cos_inner - spot.cos_outer);
+  return t * t * (3 - 2 * t);
+}
+
+bool Lights::start(const float u[3], const float v[2], bool uniform, LightStart& start) const {
+  if (empty()) return false;
+  float u0 = u[0];
+  const int light = uniform ? int(std::min(u0 * float(lights_.size()), float(lights_.size() - 1)))
+                            : int(by_power_.sample(u0));
+  if (uniform) u0 = u0 * float(lights_.size()) - float(light);
+  const float chosen = choice(light, uniform);
+  LightPoint& y0 = start.y0;
+  y0 = LightPoint{};
+  y0.light = light;
+  switch (lights_[size_t(light)].kind) {
+    case Kind::Triangles:
+    case Kind::Sphere: {
+      const AreaLight& a = area(light);
+      y0.has_area = true;
+      if (a.is_sphere) {
+        y0.normal = sample_sphere(u[1], u[2]);
+        y0.p = a.center + y0.normal * a.radius;
+      } else {
+        const size_t i = a.triangles.sample(u0) * 3;
+        const Vec2 b = sample_triangle(u[1], u[2]);
+        const Vec3 e1 = a.corners[i + 1] - a.corners[i], e2 = a.corners[i + 2] - a.corners[i];
+        y0.p = a.corners[i] + e1 * b.x + e2 * b.y;
+        y0.normal = unit(cross(e1, e2));
+      }
+      // A two-sided light takes a side by the first half of the direction's first number.
+      float v0 = v[0];
+      Vec3 n = y0.normal;
+      if (a.two_sided) {
+        v0 *= 2;
+        if (v0 >= 1) v0 -= 1, n = -n;
+      }
+      start.direction = Frame(n).to_world(sample_cosine_hemisphere(v0, v[1]));
+      start.origin = y0.p;
+      start.density_position = chosen / a.area;
+      start.density_direction = a.two_sided ? 0.5f * kInvPi : kInvPi;
+      start.weight = a.radiance * (1 / (start.density_position * start.density_direction));
+      return true;
+    }
+    case Kind::Point: {
+      const LightDesc& o = other(light);
+      y0.p = start.origin = o.position;
+      start.direction = sample_sphere(v[0], v[1]);
+      start.density_position = chosen;
+      start.density_direction = 0.25f * kInvPi;
+      start.weight = o.intensity * (4 * kPi / chosen);
+      return true;
+    }
+    case Kind::Spot: {
+      const LightDesc& o = other(light);
+      y0.p = start.origin = o.position;
+      start.direction = Frame(o.direction).to_world(sample_cone(v[0], v[1], 1 - o.cos_outer));
+      start.density_position = chosen;
+      start.density_direction = 1 / (kTwoPi * (1 - o.cos_outer));
+      start.weight = o.intensity * (spot_falloff(o, start.direction) / (chosen * start.density_direction));
+      return true;
+    }
+    case Kind::Environment: {
+      y0.infinite = true;
+      y0.normal = sample_sphere(u[1], u[2]);
+      start.direction = -y0.normal;
+      const Vec2 d = sample_disk(v[0], v[1]);
+      const Frame frame(y0.normal);
+      start.origin = center_ + (y0.normal + frame.t * d.x + frame.b * d.y) * radius_;
+      start.density_position = chosen * 0.25f * kInvPi;
+      start.density_direction = kInvPi / (radius_ * radius_);
+      start.weight = environment_radiance_ * (1 / (start.density_position * start.density_direction));
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Lights::sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, float u1, DirectLight& direct) const {
+  const Vec3 to_center = a.center - x;
+  const float d2 = length_squared(to_center);
+  LightPoint& y0 = direct.y0;
+  if (d2 > a.radius * a.radius) {
+    const float cap = one_minus_cos_cap(a.radius, d2);
+    const Vec3 local = sample_cone(u0, u1, cap);
+    const Vec3 w = Frame(to_center * (1 / std::sqrt(d2))).to_world(local);
+    const float sin2 = 1 - local.z * local.z;
+    const float t = std::sqrt(d2) * local.z - safe_sqrt(a.radius * a.radius - d2 * sin2);
+    y0.normal = unit(x + w * t - a.center);
+  } else {
+    y0.normal = sample_sphere(u0, u1);
+  }
+  y0.p = a.center + y0.normal * a.radius;
+  return true;
+}
+
+bool Lights::sample_direct(const Vec3& x, const float u[3], DirectLight& direct) const {
+  if (empty()) return false;
+  float u0 = u[0];
+  const int light = int(by_power_.sample(u0));
+  LightPoint& y0 = direct.y0;
+  y0 = LightPoint{};
+  y0.light = light;
+  switch (lights_[size_t(light)].kind) {
+    case Kind::Environment:
+      y0.infinite = true;
+      y0.normal = direct.direction = sample_sphere(u[1], u[2]);
+      direct.distance = std::numeric_limits<float>::infinity();
+      direct.radiance = environment_radiance_;
+      direct.density = choice(light, false) * 0.25f * kInvPi;
+      return true;
+    case Kind::Triangles: {
+      const AreaLight& a = area(light);
+      const size_t i = a.triangles.sample(u0) * 3;
+      const Vec2 b = sample_triangle(u[1], u[2]);
+      const Vec3 e1 = a.corners[i + 1] - a.corners[i], e2 = a.corners[i + 2] - a.corners[i];
+      y0.p = a.corners[i] + e1 * b.x + e2 * b.y;
+      y0.normal = unit(cross(e1, e2));
+      y0.has_area = true;
+      break;
+    }
+    case Kind::Sphere:
+      y0.has_area = true;
+      sample_sphere_direct(area(light), x, u[1], u[2], direct);
+      break;
+    case Kind::Point:
+    case Kind::Spot: y0.p = other(light).position; break;
+  }
+  const Vec3 to_light = y0.p - x;
+  const float d2 = length_squared(to_light);
+  if (!(d2 > 0)) return false;
+  direct.distance = std::sqrt(d2);
+  direct.direction = to_light * (1 / direct.distance);
+  direct.radiance = emitted(y0, -direct.direction);
+  direct.density = direct_density(y0, x);
+  return direct.density > 0 && !is_black(direct.radiance);
+}
+
+Rgb Lights::emitted(const LightPoint& y0, const Vec3& w) const {
+  if (y0.has_area) return radiance(y0.light, y0.normal, w);
+  const LightDesc& o = other(y0.light);
+  return o.type == LightType::Spot ? o.intensity * spot_falloff(o, w) : o.intensity;
+}
+
+Rgb Lights::radiance(int light, const Vec3& normal, const Vec3& w) const {
+  const AreaLight& a = area(light);
+  const float c = dot(normal, w);
+  return c > 0 || (a.two_sided && c < 0) ? a.radiance : Rgb();
+}
+
+float Lights::direction_density(const LightPoint& y0, const Vec3& w) const {
+  switch (lights_[size_t(y0.light)].kind) {
+    case Kind::Triangles:
+    case Kind::Sphere:
+      if (area(y0.light).two_sided) return 0.5f * kInvPi;
+      return dot(y0.normal, w) > 0 ? kInvPi : 0;
+    case Kind::Point: return 0.25f * kInvPi;
+    case Kind::Spot: {
+      const LightDesc& o = other(y0.light);
+      return dot(w, o.direction) > o.cos_outer ? 1 / (kTwoPi * (1 - o.cos_outer)) : 0;
+    }
+    case Kind::Environment: return kInvPi / (radius_ * radius_);
+  }
+  return 0;
+}
+
+float Lights::position_density(const LightPoint& y0, bool uniform) const {
+  const float chosen = choice(y0.light, uniform);
+  if (y0.has_area) return chosen / area(y0.light).area;
+  return y0.infinite ? chosen * 0.25f * kInvPi : chosen;
+}
+
+float Lights::direct_density(const LightPoint& y0, const Vec3& x) const {
+  const float chosen = choice(y0.light, false);
+  if (y0.infinite) return chosen * 0.25f * kInvPi;
+  if (!y0.has_area) return chosen;
+  const AreaLight& a = area(y0.light);
+  if (!a.is_sphere) return chosen / a.area;
+  const float center2 = length_squared(a.center - x);
+  if (!(center2 > a.radius * a.radius)) return chosen / a.area;
+  const Vec3 w = x - y0.p;
+  const float d2 = length_squared(w);
+  const float cos_y = dot(y0.normal, w) / std::sqrt(d2);
+  if (!(cos_y > 0)) return 0;  // the far side is never chosen
+  return chosen * cos_y / (kTwoPi * one_minus_cos_cap(a.radius, center2) * d2);
+}
+
+}  // namespace bdpt

@@ -1,0 +1,119 @@
+// All lights of a scene: how light subpaths start, how direct lighting chooses a point (s = 1), and the densities of both.
+//
+// Veach's convention: L_e is split into L_e^(0), a position, and L_e^(1), a direction, and the directional part is
+// treated as a BSDF at y0. Densities of position are per area, those of direction per projected solid angle. An
+// infinitely far light has no area: its y0 is a direction, its density of "position" is per solid angle, its density
+// of "direction" per area of the disk from which its rays start, and the geometry factor of its edge is the cosine at
+// the other end alone; with that every formula stays as it is.
+#pragma once
+
+#include "light/light_desc.h"
+#include "math/vec.h"
+#include "sampling/discrete.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bdpt {
+
+class Scene;
+
+// y0 of a light subpath or of direct lighting. The tag says which light and which side of it.
+struct LightPoint {
+  int light = -1;
+  bool infinite = false;       // no position: `normal` points toward the light
+  bool has_area = false;       // an area light: cosines at y0 count, eye subpaths can hit it
+  Vec3 p;                      // not for infinite lights
+  Vec3 normal;                 // of an area light: geometric, toward its front
+};
+
+struct LightStart {
+  LightPoint y0;
+  Vec3 origin;                 // of the first ray: y0, or on the disk of an infinite light
+  Vec3 direction;              // unit
+  float density_position = 0;  // P_A(y0), choice of light included
+  float density_direction = 0; // P_sigma-perp(y0 -> y1)
+  Rgb weight;                  // alpha_2 = L_e / (P_A P_sigma-perp)
+};
+
+struct DirectLight {
+  LightPoint y0;
+  Vec3 direction;              // unit, from the point lit to y0
+  float distance = 0;          // infinite for infinite lights
+  Rgb radiance;                // L_e(y0 -> x); for points, intensity
+  float density = 0;           // P_A^d(y0), choice of light included; per solid angle for infinite lights
+};
+
+// How a path that ends at a light could have been made otherwise.
+struct LightDensities {
+  float position = 0;          // P_A(y0), by which light subpaths start
+  float direction = 0;         // P_sigma-perp(y0 -> x)
+  float direct = 0;            // P_A^d(y0), by direct lighting at x
+};
+
+class Lights {
+ public:
+  struct AreaLight {
+    int instance = -1;
+    Rgb radiance;
+    bool two_sided = false;
+    bool is_sphere = false;
+    Vec3 center;      // sphere
+    float radius = 0;
+    float area = 0;
+    Discrete triangles;  // by area
+    std::vector<Vec3> corners;  // world positions, three for each triangle, front first
+  };
+
+  // Area lights first, in the order given, then the rest. The scene lies within the sphere given.
+  void build(std::vector<AreaLight> areas, const std::vector<LightDesc>& others, const Vec3& center, float radius);
+
+  size_t count() const { return lights_.size(); }
+  bool empty() const { return by_power_.empty(); }
+  bool any_hittable() const { return any_hittable_; }
+  bool has_environment() const { return environment_ >= 0; }
+  int environment() const { return environment_; }
+
+  // Starts a light subpath. u: choice, position 2; v: direction 2. False for a scene without light.
+  bool start(const float u[3], const float v[2], bool uniform, LightStart& start) const;
+  // Chooses y0 for s = 1 at a point of a surface. False where the light chosen cannot reach it.
+  bool sample_direct(const Vec3& x, const float u[3], DirectLight& direct) const;
+
+  // L_e(y0 -> x) of any finite light, w from y0 to x; of points, the intensity.
+  Rgb emitted(const LightPoint& y0, const Vec3& w) const;
+  // The same of an area light with the normal of its front; black from its dark side.
+  Rgb radiance(int light, const Vec3& normal, const Vec3& w) const;
+  // L_e of the environment.
+  Rgb environment_radiance() const { return environment_radiance_; }
+  // P_sigma-perp(y0 -> x) for w from y0 to x (unit).
+  float direction_density(const LightPoint& y0, const Vec3& w) const;
+  // P_A(y0).
+  float position_density(const LightPoint& y0, bool uniform) const;
+  // P_A^d(y0) at x.
+  float direct_density(const LightPoint& y0, const Vec3& x) const;
+
+ private:
+  enum class Kind { Triangles, Sphere, Point, Spot, Environment };
+  struct Light {
+    Kind kind = Kind::Point;
+    int index = -1;       // into areas_ or others_
+    double power = 0;
+  };
+  const AreaLight& area(int light) const { return areas_[size_t(lights_[size_t(light)].index)]; }
+  const LightDesc& other(int light) const { return others_[size_t(lights_[size_t(light)].index)]; }
+  float choice(int light, bool uniform) const;
+  float spot_falloff(const LightDesc& spot, const Vec3& w) const;
+  bool sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, float u1, DirectLight& direct) const;
+
+  std::vector<AreaLight> areas_;
+  std::vector<LightDesc> others_;
+  std::vector<Light> lights_;
+  Discrete by_power_;
+  Vec3 center_;
+  float radius_ = 0;
+  bool any_hittable_ = false;
+  int environment_ = -1;
+  Rgb environment_radiance_;
+};
+
+}  // namespace bdpt

@@ -1,0 +1,68 @@
+// Materials: what a surface does with light. One interface, one table (material.cpp), a file for each kind.
+//
+// Directions are unit vectors in the local shading frame, z along the shading normal on the material's front, and
+// point away from the surface. A subpath arrives from `previous` and leaves along `next`; the transport mode says
+// which of the two is the side of the light. Densities are per solid angle, here and only here: src/transport
+// divides them by cosines with the geometric normal to get Veach's densities per projected solid angle.
+#pragma once
+
+#include "math/vec.h"
+
+namespace bdpt {
+
+enum class TransportMode {
+  Radiance,    // an eye subpath: next is the side of the light
+  Importance,  // a light subpath: previous is the side of the light
+};
+
+enum class MaterialType { Diffuse, Mirror, Conductor, Dielectric };
+
+struct Material {
+  MaterialType type = MaterialType::Diffuse;
+  Rgb reflectance;               // diffuse, mirror; where a texture is set, its value stands in for it
+  int reflectance_texture = -1;  // index into the scene's textures
+  Rgb eta, k;                    // conductor
+  float ior = 1.5f;              // dielectric: inside over outside
+  float alpha_u = 0, alpha_v = 0;  // GGX; both zero = smooth
+  bool one_sided = false;
+  Rgb emission;
+  bool emission_two_sided = false;
+
+  bool is_smooth() const { return alpha_u == 0; }
+  bool is_anisotropic() const { return alpha_u != alpha_v; }
+  // A dielectric whose two sides are optically the same: all light passes straight through, however rough.
+  bool is_index_matched() const { return type == MaterialType::Dielectric && std::fabs(ior - 1) < 1e-4f; }
+  // True where the scattering is a Dirac: no connection can be made here (Veach 10.3.5).
+  bool is_specular() const {
+    return type == MaterialType::Mirror || (type != MaterialType::Diffuse && is_smooth()) || is_index_matched();
+  }
+};
+
+// f_s for both directions given, with the densities of sampling one from the other.
+struct BsdfValue {
+  Rgb f;                    // per projected solid angle of the shading normal, scaled for the transport mode
+  float density = 0;        // of sampling next, given previous
+  float density_reverse = 0;  // of sampling previous, given next
+};
+
+struct BsdfSample {
+  Vec3 next{0, 0, 0};
+  Rgb weight;                 // f |cos next| / density, cosine with the shading normal; black = absorbed
+  float density = 0;          // of next; for a specular material the Dirac's coefficient, see below
+  float density_reverse = 0;
+  bool specular = false;
+};
+// Specular coefficients (Veach 10.3.5): with T the probability of the event chosen (reflection, refraction),
+// density = T η_next² |cos next| and density_reverse = T η_previous² |cos previous|, η the index of the medium that
+// direction is in. One Dirac in the microfacet normal is shared by both, and a bundle keeps η² |cos| dω, so their ratio
+// is that of the true densities.
+
+// The value for two directions; zero for a specular material, and for sides where the material scatters nothing.
+BsdfValue evaluate(const Material& material, const Rgb& reflectance, const Vec3& previous, const Vec3& next,
+                   TransportMode mode);
+
+// Samples next, given previous, from three uniform numbers in [0,1).
+BsdfSample sample(const Material& material, const Rgb& reflectance, const Vec3& previous, TransportMode mode,
+                  const float u[3]);
+
+}  // namespace bdpt

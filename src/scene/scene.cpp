@@ -1,0 +1,284 @@
+#include "scene/scene.h"
+
+#include "sampling/hash.h"
+
+#include <limits>
+
+namespace bdpt {
+
+namespace {
+
+// For one 3x3 linear part; the determinant is not zero (the builder saw to it).
+Transform invert(const Transform& t) {
+  const double det = t.determinant();
+  const float* m = t.m;
+  const double a = m[0], b = m[1], c = m[2], d = m[4], e = m[5], f = m[6], g = m[8], h = m[9], i = m[10];
+  const double r[9] = {e * i - f * h, c * h - b * i, b * f - c * e, f * g - d * i, a * i - c * g,
+                       c * d - a * f, d * h - e * g, b * g - a * h, a * e - b * d};
+  Transform inverse;
+  for (int row = 0; row < 3; ++row) {
+    double translation = 0;
+    for (int column = 0; column < 3; ++column) {
+      const double v = r[3 * row + column] / det;
+      inverse.m[4 * row + column] = float(v);
+      translation -= v * double(m[4 * column + 3]);
+    }
+    inverse.m[4 * row + 3] = float(translation);
+  }
+  return inverse;
+}
+
+// The direction in which u of uv set 0 grows; zero where the uvs are degenerate.
+Vec3 u_direction(const Vec3& e1, const Vec3& e2, const Vec2& d1, const Vec2& d2) {
+  const float det = d1.x * d2.y - d1.y * d2.x;
+  if (det == 0) return Vec3(0);
+  return (e1 * d2.y - e2 * d1.y) * (1 / det);
+}
+
+void grow(Vec3& low, Vec3& high, const Vec3& p) {
+  low = Vec3(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
+  high = Vec3(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
+}
+
+uint64_t hash_scene(const SceneDesc& desc) {
+  uint64_t h = hash_values(desc.shapes.size(), desc.instances.size());
+  const auto add = [&](const auto& value) { h = hash_bytes(&value, sizeof(value), h); };
+  for (const Shape& s : desc.shapes) {
+    if (s.mesh) {
+      h = hash_combine(h, s.mesh->content_hash);
+    } else {
+      add(s.sphere->center);
+      add(s.sphere->radius);
+    }
+  }
+  for (const auto& t : desc.textures) h = hash_combine(h, t ? t->content_hash() : 0);
+  for (const Material& m : desc.materials) {
+    const float numbers[] = {m.reflectance.r, m.reflectance.g, m.reflectance.b, m.eta.r, m.eta.g, m.eta.b,
+                             m.k.r, m.k.g, m.k.b, m.ior, m.alpha_u, m.alpha_v, m.emission.r, m.emission.g, m.emission.b};
+    add(numbers);
+    h = hash_combine(h, hash_values(int(m.type), m.reflectance_texture, m.one_sided, m.emission_two_sided));
+  }
+  for (const LightDesc& l : desc.lights) {
+    const float numbers[] = {l.position.x, l.position.y, l.position.z, l.direction.x, l.direction.y, l.direction.z,
+                             l.intensity.r, l.intensity.g, l.intensity.b, l.radiance.r, l.radiance.g, l.radiance.b,
+                             l.cos_outer, l.cos_inner};
+    add(numbers);
+    h = hash_combine(h, uint64_t(l.type));
+  }
+  for (const InstanceDesc& i : desc.instances) {
+    add(i.transform.m);
+    h = hash_combine(h, hash_values(i.shape, i.material));
+  }
+  return h;
+}
+
+}  // namespace
+
+Scene::Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::shared_ptr<MemoryMeter> meter,
+             const Progress& progress)
+    : desc_(std::move(desc)) {
+  int environments = 0;
+  for (const LightDesc& l : desc_.lights) environments += l.type == LightType::Environment;
+  if (environments > 1) fail(ErrorCode::InvalidArgument, "the builder holds ", environments, " environment lights; a scene takes one");
+  if (desc_.instances.empty() && desc_.lights.empty())
+    fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light; add some before building");
+
+  place_instances();
+  uint64_t bytes = 0;
+  for (const auto& p : world_positions_) bytes += p.size() * sizeof(Vec3);
+  booking_ = Booking(meter, bytes, "the scene's world positions");
+  collect_lights();
+
+  const uint64_t before = device->memory();
+  std::vector<RayGeometry> geometries(instances_.size());
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    const Instance& instance = instances_[i];
+    geometries[i] = {instance.mesh, instance.sphere, instance.transform, instance.world_positions, false};
+    if (instance.mesh && instance.world_positions.empty()) {
+      geometries[i].instanced = true;
+      geometries[i].world_positions = object_positions(*instance.mesh);
+    }
+  }
+  rays_ = std::make_unique<RayScene>(device, geometries, progress);
+  info_.memory_embree = device->memory() > before ? device->memory() - before : 0;
+  info_.memory = info_.memory_embree + bytes;
+  for (const Shape& s : desc_.shapes)
+    if (s.mesh) info_.memory += s.mesh->memory;
+  for (const auto& t : desc_.textures)
+    if (t) info_.memory += t->memory();
+  info_.instances = instances_.size();
+  info_.hash = hash_scene(desc_);
+}
+
+// Embree reads 16 bytes past the last position: arrays that may not be read so far are copied.
+View<Vec3> Scene::object_positions(const Mesh& mesh) {
+  if (mesh.positions_padded) return mesh.positions;
+  for (const auto& [known, view] : padded_)
+    if (known == &mesh) return view;
+  std::vector<Vec3>& copy = world_positions_.emplace_back();
+  copy.reserve(mesh.positions.size() + 2);
+  for (size_t i = 0; i < mesh.positions.size(); ++i) copy.push_back(mesh.positions[i]);
+  copy.resize(copy.size() + 2);
+  const View<Vec3> view(copy.data(), mesh.positions.size(), sizeof(Vec3));
+  padded_.emplace_back(&mesh, view);
+  return view;
+}
+
+void Scene::place_instances() {
+  std::vector<int> uses(desc_.shapes.size());
+  for (const InstanceDesc& i : desc_.instances) ++uses[size_t(i.shape)];
+  for (const InstanceDesc& d : desc_.instances) {
+    Instance instance;
+    const Shape& shape = desc_.shapes[size_t(d.shape)];
+    instance.material = &desc_.materials[size_t(d.material)];
+    instance.transform = d.transform;
+    instance.inverse = invert(d.transform);
+    instance.identity = d.transform.is_identity();
+    instance.handedness = d.transform.determinant() < 0 ? -1.0f : 1.0f;
+    if (shape.mesh) {
+      instance.mesh = shape.mesh.get();
+      info_.triangles += instance.mesh->triangles.size();
+      info_.degenerate += instance.mesh->degenerate;
+      if (instance.identity) {
+        instance.world_positions = object_positions(*instance.mesh);
+      } else if (uses[size_t(d.shape)] == 1) {
+        std::vector<Vec3>& world = world_positions_.emplace_back();
+        world.reserve(instance.mesh->positions.size() + 2);
+        for (size_t i = 0; i < instance.mesh->positions.size(); ++i)
+          world.push_back(d.transform.point(instance.mesh->positions[i]));
+        world.resize(world.size() + 2);
+        instance.world_positions = View<Vec3>(world.data(), instance.mesh->positions.size(), sizeof(Vec3));
+      }
+    } else {
+      instance.sphere = shape.sphere.get();
+      instance.center = d.transform.point(instance.sphere->center);
+      instance.radius = instance.sphere->radius * length(d.transform.column(0));
+      ++info_.spheres;
+    }
+    instances_.push_back(std::move(instance));
+  }
+}
+
+void Scene::collect_lights() {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  Vec3 low(inf), high(-inf);
+  std::vector<Lights::AreaLight> areas;
+  for (size_t i = 0; i < instances_.size(); ++i) {
+    Instance& instance = instances_[i];
+    const bool emits = !is_black(instance.material->emission);
+    Lights::AreaLight light;
+    light.instance = int(i);
+    light.radiance = instance.material->emission;
+    light.two_sided = instance.material->emission_two_sided;
+    if (instance.sphere) {
+      grow(low, high, instance.center - Vec3(instance.radius));
+      grow(low, high, instance.center + Vec3(instance.radius));
+      light.is_sphere = true;
+      light.center = instance.center;
+      light.radius = instance.radius;
+      light.area = 4 * kPi * instance.radius * instance.radius;
+    } else {
+      std::vector<double> area;
+      double total = 0;
+      for (size_t k = 0; k < instance.mesh->triangles.size(); ++k) {
+        const Triangle t = instance.mesh->triangles[k];
+        Vec3 corner[3];
+        int c = 0;
+        for (uint32_t v : {t.a, t.b, t.c}) {
+          corner[c] = instance.world_positions.empty() ? instance.transform.point(instance.mesh->positions[v])
+                                                       : instance.world_positions[v];
+          grow(low, high, corner[c++]);
+        }
+        if (!emits) continue;
+        Surface surface;
+        const bool valid = triangle_surface(instance, uint32_t(k), 1.0f / 3, 1.0f / 3, surface);
+        const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        if (valid && dot(n, surface.ng) < 0) std::swap(corner[1], corner[2]);
+        area.push_back(valid ? 0.5 * double(length(n)) : 0);
+        total += area.back();
+        light.corners.insert(light.corners.end(), corner, corner + 3);
+      }
+      if (emits) light.triangles = Discrete(area);
+      light.area = float(total);
+    }
+    if (emits && light.area > 0) {
+      instance.light = int(areas.size());
+      areas.push_back(std::move(light));
+    }
+  }
+  for (const LightDesc& l : desc_.lights)
+    if (l.type != LightType::Environment && low.x > high.x) grow(low, high, l.position);
+  if (low.x > high.x) low = high = Vec3(0);
+  info_.bounds_min = low;
+  info_.bounds_max = high;
+  lights_.build(std::move(areas), desc_.lights, (low + high) * 0.5f, 0.5f * length(high - low));
+}
+
+bool Scene::triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& s) const {
+  const Mesh& mesh = *instance.mesh;
+  const Triangle t = mesh.triangles[primitive];
+  const bool flat = !instance.world_positions.empty();
+  Vec3 a, b, c;
+  if (flat) {
+    a = instance.world_positions[t.a], b = instance.world_positions[t.b], c = instance.world_positions[t.c];
+  } else {
+    a = instance.transform.point(mesh.positions[t.a]);
+    b = instance.transform.point(mesh.positions[t.b]);
+    c = instance.transform.point(mesh.positions[t.c]);
+  }
+  const Vec3 e1 = b - a, e2 = c - a;
+  s.p = a + e1 * u + e2 * v;
+  Vec3 n = cross(e1, e2) * instance.handedness;
+  const float n2 = length_squared(n);
+  if (!(n2 > 0)) return false;
+  s.ng = n * (1 / std::sqrt(n2));
+  s.ns = s.ng;
+  if (!mesh.normals.empty()) {
+    Vec3 ns = mesh.normals[t.a] * (1 - u - v) + mesh.normals[t.b] * u + mesh.normals[t.c] * v;
+    if (!instance.identity) ns = instance.inverse.transposed(ns);
+    const float l2 = length_squared(ns);
+    if (l2 > 0) {
+      s.ns = ns * (1 / std::sqrt(l2));
+      if (dot(s.ns, s.ng) < 0) s.ng = -s.ng;  // the front is the side the normals point to
+    }
+  }
+  return true;
+}
+
+bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
+  const Instance& instance = instances_[hit.instance];
+  const Material& material = *instance.material;
+  s.material = &material;
+  s.light = instance.light;
+  s.reflectance = material.reflectance;
+  if (instance.sphere) {
+    const Vec3 n = ray.origin + ray.direction * hit.t - instance.center;
+    const float n2 = length_squared(n);
+    if (!(n2 > 0)) return false;
+    s.ng = s.ns = n * (1 / std::sqrt(n2));
+    s.p = instance.center + s.ng * instance.radius;
+    s.tangent = Vec3(-s.ng.y, s.ng.x, 0);
+    return true;
+  }
+  if (!triangle_surface(instance, hit.primitive, hit.u, hit.v, s)) return false;
+  if (material.reflectance_texture < 0 && !material.is_anisotropic()) return true;
+
+  const Mesh& mesh = *instance.mesh;
+  const Triangle t = mesh.triangles[hit.primitive];
+  // Without uv set 0 a triangle's own corners are (0,0), (1,0), (1,1).
+  const bool has_uv = !mesh.uv[0].empty();
+  const Vec2 ta = has_uv ? mesh.uv[0][t.a] : Vec2(0, 0), tb = has_uv ? mesh.uv[0][t.b] : Vec2(1, 0),
+             tc = has_uv ? mesh.uv[0][t.c] : Vec2(1, 1);
+  if (material.reflectance_texture >= 0)
+    s.reflectance = desc_.textures[size_t(material.reflectance_texture)]->lookup(ta * (1 - hit.u - hit.v) + tb * hit.u + tc * hit.v);
+  if (material.is_anisotropic()) {
+    const auto corner = [&](uint32_t i) {
+      return instance.world_positions.empty() ? instance.transform.point(mesh.positions[i]) : instance.world_positions[i];
+    };
+    const Vec3 a = corner(t.a);
+    s.tangent = u_direction(corner(t.b) - a, corner(t.c) - a, tb - ta, tc - ta);
+  }
+  return true;
+}
+
+}  // namespace bdpt

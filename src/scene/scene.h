@@ -1,0 +1,80 @@
+// The immutable whole: instances of shapes with materials, lights, and the ray queries over them.
+#pragma once
+
+#include "base/memory.h"
+#include "geometry/embree.h"
+#include "light/lights.h"
+#include "scene/scene_desc.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bdpt {
+
+// A point of a surface.
+struct Surface {
+  Vec3 p;
+  Vec3 ng;       // geometric normal, unit, on the front
+  Vec3 ns;       // shading normal, unit, in the hemisphere of ng
+  Vec3 tangent;  // along u of uv set 0; set for anisotropic materials only
+  Rgb reflectance;
+  const Material* material = nullptr;
+  int light = -1;  // index of the area light this instance is, or -1
+};
+
+struct SceneInfo {
+  uint64_t instances = 0, triangles = 0, spheres = 0, degenerate = 0;
+  uint64_t memory = 0, memory_embree = 0, hash = 0;
+  Vec3 bounds_min, bounds_max;
+};
+
+class Scene {
+ public:
+  // Called now and then with the fraction done; false stops the build, which then throws RayScene::Cancelled.
+  using Progress = std::function<bool(double)>;
+
+  // Throws Error(InvalidArgument) for a scene with neither instance nor light, or with two environments.
+  Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::shared_ptr<MemoryMeter> meter,
+        const Progress& progress);
+
+  const RayScene& rays() const { return *rays_; }
+  const Lights& lights() const { return lights_; }
+  const SceneInfo& info() const { return info_; }
+
+  // The surface at a hit of a ray; false where its geometry is too degenerate to have a normal.
+  bool surface(const Ray& ray, const Hit& hit, Surface& surface) const;
+
+ private:
+  struct Instance {
+    const Mesh* mesh = nullptr;
+    const Sphere* sphere = nullptr;
+    const Material* material = nullptr;
+    Transform transform, inverse;
+    View<Vec3> world_positions;  // empty where the mesh is instanced
+    float handedness = 1;        // -1 where the transform reflects: keeps the front the image of the front
+    bool identity = false;
+    int light = -1;
+    Vec3 center{0, 0, 0};  // sphere, in the world
+    float radius = 0;
+  };
+
+  View<Vec3> object_positions(const Mesh& mesh);
+  void place_instances();
+  void collect_lights();
+  bool triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& surface) const;
+
+  SceneDesc desc_;
+  std::vector<Instance> instances_;
+  std::vector<std::vector<Vec3>> world_positions_;               // what the views below point into
+  std::vector<std::pair<const Mesh*, View<Vec3>>> padded_;       // meshes whose positions had to be copied
+  Lights lights_;
+  std::unique_ptr<RayScene> rays_;
+  SceneInfo info_;
+  Booking booking_;
+
+  friend class SceneProbe;  // tests
+};
+
+}  // namespace bdpt

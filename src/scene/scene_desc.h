@@ -1,0 +1,31 @@
+// What a scene is made of, as the builder hands it over: validated, with indices in place of ids.
+#pragma once
+
+#include "geometry/mesh.h"
+#include "geometry/texture.h"
+#include "light/light_desc.h"
+#include "material/material.h"
+#include "math/transform.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bdpt {
+
+struct InstanceDesc {
+  std::string label;
+  int shape = 0;     // index into SceneDesc::shapes
+  int material = 0;  // index into SceneDesc::materials
+  Transform transform;
+};
+
+struct SceneDesc {
+  std::vector<Shape> shapes;
+  std::vector<std::shared_ptr<const Texture>> textures;
+  std::vector<Material> materials;
+  std::vector<LightDesc> lights;  // those that are no instances
+  std::vector<InstanceDesc> instances;
+};
+
+}  // namespace bdpt
