@@ -1,0 +1,122 @@
+// The film: measurements as exact sums. Sums are kept in wide fixed point, so that neither the order of work nor the
+// merging of ranges can change a bit.
+#pragma once
+
+#include "base/memory.h"
+#include "film/accumulator.h"
+#include "film/filter.h"
+#include "sensor/sensor.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bdpt {
+
+struct FilmDesc {
+  int width = 1, height = 1;
+  FilterDesc filter;
+  bool normalize_by_weights = true;  // Veach (10.11); else by the number of samples (10.10)
+  int groups = 2;
+  int pyramid_edges = 0;
+  uint64_t hash() const;
+};
+
+// What a film was filled with; ranges of one recipe can be merged.
+struct FilmRecipe {
+  uint64_t seed = 0, scene_hash = 0, options_hash = 0;
+  uint64_t samples_per_pass = 0;  // N of Veach (10.10): light subpaths, and eye subpaths, of a pass
+  bool operator==(const FilmRecipe&) const = default;
+};
+
+struct PassRange {
+  uint64_t begin, end;  // [begin, end)
+  bool operator==(const PassRange&) const = default;
+};
+
+struct PixelSums {
+  Accumulator eye[3], weight, light[3];
+};
+struct TechniqueSums {
+  Accumulator rgb[3];
+};
+
+enum class FilmLayer { Color, Eye, Light, Variance, Technique };
+
+class Film {
+ public:
+  Film(const FilmDesc& desc, std::shared_ptr<MemoryMeter> meter);
+
+  const FilmDesc& desc() const { return desc_; }
+  const Filter& filter() const { return filter_; }
+  // The pixels that must be sampled: those of the film and a margin by the filter's radius.
+  SampleBounds sample_bounds() const;
+
+  bool is_empty() const { return ranges_.empty(); }
+  const FilmRecipe& recipe() const { return recipe_; }
+  const std::vector<PassRange>& ranges() const { return ranges_; }  // disjoint, ascending, not touching
+  uint64_t passes() const;
+  uint64_t rejected() const { return rejected_; }
+  static uint64_t bytes_for(const FilmDesc& desc);
+
+  // One render at a time may fill a film.
+  bool acquire() { return !in_use_.exchange(true); }
+  void release() { in_use_ = false; }
+  bool is_in_use() const { return in_use_; }
+
+  // --- Filling, by src/render. Contributions go to the pass in hand; end_pass adds it to its group. ---
+  void begin(const FilmRecipe& recipe);  // throws Mismatch if the film holds another recipe
+  // Thread-safe. s and t say which image of the pyramid gets the contribution, too.
+  void add_eye_sample(const FilmPosition& film, const Rgb& value);
+  void add_light_sample(const FilmPosition& film, const Rgb& value);
+  void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
+  bool has_technique(int s, int t) const { return s + t >= 2 && s + t - 1 <= desc_.pyramid_edges; }
+  void end_pass(uint64_t pass, int row_begin, int row_end);   // folds these rows; rows in parallel
+  void commit_pass(uint64_t pass);                            // after all rows are folded
+  void discard_pass();                                        // forgets the pass in hand
+  void set_partial(bool partial) { partial_ = partial; }      // whether the pass in hand holds finished blocks
+
+  // --- Reading ---
+  struct Rect {
+    int x0, y0, x1, y1;
+  };
+  // Writes 3 floats per pixel to rows `row_stride` floats apart.
+  void read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* pixels, size_t row_stride) const;
+  // Square root of the mean relative variance; -1 while unknown.
+  double relative_error() const;
+
+  void clear();
+  void merge(const Film& source);  // throws Mismatch
+
+  void save(const std::string& path) const;
+  static std::unique_ptr<Film> load(const std::string& path, std::shared_ptr<MemoryMeter> meter);
+
+ private:
+  struct Scale;
+  int technique_index(int s, int t) const { const int k = s + t - 1; return (k - 1) * (k + 4) / 2 + s; }
+  int technique_count() const { const int k = desc_.pyramid_edges; return k * (k + 5) / 2; }
+  size_t pixels() const { return size_t(desc_.width) * desc_.height; }
+  template <class Add>
+  void splat(const FilmPosition& film, Add&& add);
+  void read_group(int group, size_t pixel, double rgb[3]) const;
+  uint64_t passes_in_group(int group) const;
+
+  FilmDesc desc_;
+  Filter filter_;
+  Booking booking_;
+  FilmRecipe recipe_;
+  std::vector<PassRange> ranges_;
+  std::vector<PixelSums> sums_;             // groups x pixels
+  std::vector<PixelSums> pass_;             // of the pass in hand
+  std::vector<TechniqueSums> pyramid_;      // techniques x pixels
+  std::vector<TechniqueSums> pyramid_pass_;
+  std::atomic<uint64_t> rejected_pass_{0};
+  uint64_t rejected_ = 0;
+  bool partial_ = false;
+  std::atomic<bool> in_use_{false};
+};
+
+}  // namespace bdpt

@@ -1,0 +1,221 @@
+#include "render/render.h"
+
+#include "render/float_mode.h"
+#include "sampling/hash.h"
+#include "transport/block.h"
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace bdpt {
+
+namespace {
+
+constexpr uint32_t kDefaultBlock = 256;
+constexpr double kProgressInterval = 0.1;
+constexpr uint64_t kBytesPerSample = 4096;  // of a block's buffers, for the memory limit: some ten vertices a side
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// The lowest pass from `first` on that the film does not hold.
+uint64_t next_free_pass(const Film& film, uint64_t first) {
+  for (const PassRange& r : film.ranges())
+    if (first >= r.begin && first < r.end) first = r.end;
+  return first;
+}
+
+std::vector<BlockRect> make_blocks(const SampleBounds& bounds, uint32_t samples) {
+  const int side = std::max(1, int(std::lround(std::sqrt(double(samples)))));
+  std::vector<BlockRect> blocks;
+  for (int y = bounds.y0; y < bounds.y1; y += side)
+    for (int x = bounds.x0; x < bounds.x1; x += side)
+      blocks.push_back({x, y, std::min(x + side, bounds.x1), std::min(y + side, bounds.y1)});
+  return blocks;
+}
+
+}  // namespace
+
+// What advance() knows of its own call.
+struct Render::Call {
+  const AdvanceDesc& desc;
+  double begin = now();
+  std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> stop{false};      // no further block
+  bool callback_stopped = false;
+  uint64_t passes = 0;
+  std::atomic<uint64_t> samples{0};
+  std::atomic<uint32_t> blocks_done{0};
+  uint32_t blocks = 1;
+  double last_progress = now();
+  double fraction = 0;
+  double relative_error = -1;
+  std::mutex mutex;
+  std::exception_ptr error;
+
+  explicit Call(const AdvanceDesc& d) : desc(d) {}
+  bool cancelled() const { return desc.cancel && desc.cancel->load(std::memory_order_relaxed); }
+  double seconds() const { return now() - begin; }
+
+  void report() {
+    if (!desc.on_progress || callback_stopped) return;
+    double f = 0;
+    const double done = double(passes) + double(blocks_done) / blocks;
+    if (desc.passes > 0) f = std::max(f, done / double(desc.passes));
+    if (desc.seconds > 0) f = std::max(f, seconds() / desc.seconds);
+    if (desc.noise > 0 && relative_error > 0) f = std::max(f, std::pow(desc.noise / relative_error, 2));
+    fraction = std::max(fraction, std::min(f, 1.0));
+    last_progress = now();
+    if (!desc.on_progress({fraction, seconds(), passes, samples})) {
+      callback_stopped = true;
+      stop = true;
+    }
+  }
+  void report_now_and_then() {
+    if (std::this_thread::get_id() == caller && now() - last_progress > kProgressInterval) report();
+  }
+};
+
+struct Render::Worker {
+  explicit Worker(const Engine& engine) : block(engine) {}
+  Block block;
+};
+
+Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor> sensor, std::shared_ptr<Film> film,
+               std::shared_ptr<Executor> executor, std::shared_ptr<MemoryMeter> meter, const RenderDesc& desc)
+    : scene_(std::move(scene)), sensor_(std::move(sensor)), film_(std::move(film)), executor_(std::move(executor)), desc_(desc) {
+  if (sensor_->width() != film_->desc().width || sensor_->height() != film_->desc().height)
+    fail(ErrorCode::Mismatch, "film: it is ", film_->desc().width, " x ", film_->desc().height, ", the sensor ",
+         sensor_->width(), " x ", sensor_->height());
+  if (!film_->acquire()) fail(ErrorCode::InUse, "film: another render fills it; destroy that first");
+  try {
+    engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);
+    const uint64_t options = hash_values(sensor_->hash(), film_->desc().hash(), desc.transport.hash());
+    film_->begin({desc.seed, scene_->info().hash, options, engine_->samples_per_pass()});
+    blocks_ = make_blocks(engine_->bounds, desc.block_size ? desc.block_size : kDefaultBlock);
+    blocks_done_.assign(blocks_.size(), 0);
+    const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
+    booking_ = Booking(std::move(meter), executor_->worker_count() * block_samples * kBytesPerSample, "the render's blocks");
+    pass_ = next_free_pass(*film_, desc.first_pass);
+  } catch (...) {
+    film_->release();
+    throw;
+  }
+}
+
+Render::~Render() {
+  film_->discard_pass();
+  film_->release();
+}
+
+std::unique_ptr<Render::Worker> Render::take_worker() {
+  const std::lock_guard lock(workers_mutex_);
+  if (workers_.empty()) return std::make_unique<Worker>(*engine_);
+  std::unique_ptr<Worker> worker = std::move(workers_.back());
+  workers_.pop_back();
+  return worker;
+}
+
+void Render::run_block(uint32_t i, Call& call) {
+  if (blocks_done_[i] || call.stop || call.cancelled()) return;
+  try {
+    const FloatMode mode;
+    std::unique_ptr<Worker> worker = take_worker();
+    worker->block.run(pass_, blocks_[i]);
+    blocks_done_[i] = 1;
+    ++call.blocks_done;
+    const TransportStats stats = worker->block.take_stats();
+    call.samples += stats.samples;
+    const std::lock_guard lock(workers_mutex_);
+    stats_ += stats;
+    workers_.push_back(std::move(worker));
+  } catch (...) {
+    const std::lock_guard lock(call.mutex);
+    if (!call.error) call.error = std::current_exception();
+    call.stop = true;
+  }
+  call.report_now_and_then();
+}
+
+// True when the pass in hand is whole.
+bool Render::run_pass(Call& call) {
+  call.blocks = uint32_t(blocks_.size());
+  uint32_t done = 0;
+  for (uint8_t b : blocks_done_) done += b;
+  call.blocks_done = done;
+  film_->set_partial(true);
+  executor_->run(uint32_t(blocks_.size()), [&](uint32_t i) { run_block(i, call); });
+  if (call.error) {  // a block may have been counted in part: the pass starts anew
+    film_->discard_pass();
+    std::fill(blocks_done_.begin(), blocks_done_.end(), 0);
+    std::rethrow_exception(call.error);
+  }
+  if (call.blocks_done < blocks_.size()) {
+    film_->set_partial(call.blocks_done > 0);
+    return false;
+  }
+  const int height = film_->desc().height, bands = std::min(height, 64);
+  executor_->run(uint32_t(bands), [&](uint32_t band) {
+    film_->end_pass(pass_, int(band) * height / bands, (int(band) + 1) * height / bands);
+  });
+  film_->commit_pass(pass_);
+  std::fill(blocks_done_.begin(), blocks_done_.end(), 0);
+  pass_ = next_free_pass(*film_, pass_ + 1);
+  ++passes_;
+  ++call.passes;
+  call.blocks_done = 0;
+  return true;
+}
+
+AdvanceReport Render::advance(const AdvanceDesc& desc) {
+  Call call(desc);
+  engine_->recorder = recorder_;
+  AdvanceReport report;
+  uint64_t next_check = film_->passes() + 1;
+  call.report();
+  while (true) {
+    if (call.callback_stopped) report.reason = StopReason::Callback;
+    else if (call.cancelled()) report.reason = StopReason::Cancelled;
+    else if (run_pass(call)) {
+      if (desc.on_pass && !desc.on_pass(call.passes)) {
+        report.reason = StopReason::Callback;
+        break;
+      }
+      if (desc.noise > 0 && film_->passes() >= next_check) {
+        call.relative_error = film_->relative_error();
+        next_check = film_->passes() + 1 + film_->passes() / 16;
+        if (call.relative_error >= 0 && call.relative_error <= desc.noise) {
+          report.reason = StopReason::Noise;
+          break;
+        }
+      }
+      if (desc.passes > 0 && call.passes >= desc.passes) {
+        report.reason = StopReason::Passes;
+        break;
+      }
+      if (desc.seconds > 0 && call.seconds() >= desc.seconds) {
+        report.reason = StopReason::Time;
+        break;
+      }
+      call.report_now_and_then();
+      continue;
+    } else {
+      report.reason = call.callback_stopped ? StopReason::Callback : StopReason::Cancelled;
+    }
+    break;
+  }
+  const bool finished = report.reason != StopReason::Cancelled && report.reason != StopReason::Callback;
+  if (finished) {
+    call.fraction = 1;
+    call.report();
+  }
+  report.passes = call.passes;
+  report.next_pass = pass_;
+  report.seconds = call.seconds();
+  seconds_ += report.seconds;
+  return report;
+}
+
+}  // namespace bdpt

@@ -1,0 +1,192 @@
+// Connections: one evaluates, one weighs, and hands the shadow ray on. The order is by cost: sides, BSDFs, weight.
+#include "transport/block.h"
+
+#include <limits>
+
+namespace bdpt {
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// The ray between two points that were moved off their surfaces.
+Ray between(const Vec3& a, const Vec3& b) { return {a, 1, b - a}; }
+
+}  // namespace
+
+void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample) {
+  ++stats_.connections;
+  const Vec3 edge = z.p - y.p;
+  const float d2 = length_squared(edge);
+  if (!(d2 > 0)) return;
+  const Vec3 w = edge * (1 / std::sqrt(d2));
+  Scattering at_y, at_z;
+  if (!scatter(y, w, TransportMode::Importance, at_y) || !scatter(z, -w, TransportMode::Radiance, at_z)) return;
+  const float geometry = absdot(y.ng, w) * absdot(z.ng, w) / d2;
+  Rgb c = y.throughput * at_y.f * (at_z.f * z.throughput) * geometry;  // (10.8)
+  if (is_black(c)) return;
+
+  float weight = 1;
+  if (engine_.running_sums) {
+    const PowerHeuristic& h = engine_.heuristic;
+    weight = h.weight(at_z.next * geometry / y.density * h.combine(y.technique, at_y.previous * y.sums),
+                      at_y.next * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums));
+  } else if (!engine_.unweighted) {
+    const Edge e{at_y.next * geometry, at_z.previous * z.geometry, at_z.next * geometry, at_y.previous * y.geometry};
+    weight = path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite);
+  }
+  c *= weight;
+  if (is_black(c)) return;
+  push_connection(between(offset_toward(y.p, y.ng, w), offset_toward(z.p, z.ng, -w)), c, sample, y.count, z.count);
+}
+
+void Block::connect_to_light(const Vertex& z, uint32_t sample) {
+  ++stats_.connections;
+  const Lights& lights = engine_.scene.lights();
+  const Four u = engine_.draw(pool_.eye_streams[sample], z.count, Purpose::Connect);
+  DirectLight light;
+  if (!lights.sample_direct(z.p, u.u, light)) return;
+  const LightPoint& y0 = light.y0;
+  const Vec3 w = light.direction;
+  Scattering at_z;
+  if (!scatter(z, w, TransportMode::Radiance, at_z)) return;
+  const float z_cosine = absdot(z.ng, w);
+  const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
+  const float geometry = y0.infinite ? z_cosine : z_cosine * y_cosine / (light.distance * light.distance);
+  Rgb c = z.throughput * at_z.f * light.radiance * (geometry / light.density);
+  if (is_black(c)) return;
+
+  float weight = 1;
+  const bool hittable = y0.has_area || y0.infinite;
+  if (!engine_.unweighted) {
+    const float position = lights.position_density(y0, engine_.options.uniform_light_start);
+    const float direction = lights.direction_density(y0, -w);
+    if (engine_.running_sums) {
+      // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
+      const PowerHeuristic& h = engine_.heuristic;
+      const float s0 = engine_.classes.s0 && hittable ? at_z.next * geometry / light.density : 0;
+      const float others = direction * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums);
+      weight = h.weight(s0, others * (position / light.density));
+    } else {
+      Edge e;
+      e.light_at_z = direction * geometry;
+      e.light_before_z = at_z.previous * z.geometry;
+      const PathVertex start{position, at_z.next * geometry, false};
+      weight = path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite);
+    }
+  }
+  c *= weight;
+  if (is_black(c)) return;
+  const Vec3 from = offset_toward(z.p, z.ng, w);
+  if (y0.infinite)
+    push_connection({from, kInfinity, w}, c, sample, 1, z.count);
+  else
+    push_connection(between(from, y0.has_area ? offset_toward(y0.p, y0.normal, -w) : y0.p), c, sample, 1, z.count);
+}
+
+void Block::connect_to_sensor(const Vertex& y, uint32_t sample) {
+  ++stats_.connections;
+  const Four u = engine_.draw(pool_.light_streams[sample], y.count, Purpose::Connect);
+  SensorPoint z0;
+  if (!engine_.sensor.sample_toward(y.p, u.u, engine_.bounds, z0)) return;
+  const Vec3 edge = z0.p - y.p;
+  const float d2 = length_squared(edge);
+  if (!(d2 > 0)) return;
+  const Vec3 w = edge * (1 / std::sqrt(d2));
+  Scattering at_y;
+  if (!scatter(y, w, TransportMode::Importance, at_y)) return;
+  const float geometry = absdot(y.ng, w) * absdot(z0.normal, w) / d2;
+  Rgb c = y.throughput * at_y.f * (geometry * z0.importance / z0.density_position);
+  if (is_black(c)) return;
+
+  float weight = 1;
+  if (engine_.running_sums) {
+    const PowerHeuristic& h = engine_.heuristic;
+    const float t0 = engine_.classes.t0 ? at_y.next * geometry / z0.density_position : 0;
+    weight = h.weight(z0.density_direction * geometry / y.density * h.combine(y.technique, at_y.previous * y.sums), t0);
+  } else if (!engine_.unweighted) {
+    Edge e;
+    e.eye_at_y = z0.density_direction * geometry;
+    e.eye_before_y = at_y.previous * y.geometry;
+    const PathVertex end{at_y.next * geometry, z0.density_position, false};
+    weight = path_weight(&y, nullptr, y.count, 1, e, {}, end, y.direct, y.start_hittable, y.start_finite);
+  }
+  c *= weight;
+  if (is_black(c)) return;
+  push_connection(between(offset_toward(y.p, y.ng, w), z0.p), c, sample, y.count, 1, z0.film);
+}
+
+void Block::connect_start_to_sensor(uint32_t sample) {
+  const LightStart& start = pool_.light_starts[sample];
+  const LightPoint& y0 = start.y0;
+  if (y0.infinite) return;  // a light without a point is seen by s = 0 alone
+  ++stats_.connections;
+  const Four u = engine_.draw(pool_.light_streams[sample], 1, Purpose::Connect);
+  SensorPoint z0;
+  if (!engine_.sensor.sample_toward(y0.p, u.u, engine_.bounds, z0)) return;
+  const Vec3 edge = z0.p - y0.p;
+  const float d2 = length_squared(edge);
+  if (!(d2 > 0)) return;
+  const Vec3 w = edge * (1 / std::sqrt(d2));
+  const Lights& lights = engine_.scene.lights();
+  const Rgb emitted = lights.emitted(y0, w);
+  const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
+  const float geometry = y_cosine * absdot(z0.normal, w) / d2;
+  Rgb c = emitted * (geometry * z0.importance / (z0.density_position * start.density_position));
+  if (is_black(c)) return;
+
+  float weight = 1;
+  const float light_at_z0 = lights.direction_density(y0, w) * geometry;
+  const float eye_at_y0 = z0.density_direction * geometry;
+  if (engine_.running_sums) {
+    const float s0 = engine_.classes.s0 && y0.has_area ? eye_at_y0 / start.density_position : 0;
+    const float t0 = engine_.classes.t0 ? light_at_z0 / z0.density_position : 0;
+    weight = engine_.heuristic.weight(s0, t0);
+  } else if (!engine_.unweighted) {
+    weight = path_weight(nullptr, nullptr, 1, 1, {}, {start.density_position, eye_at_y0, false},
+                         {light_at_z0, z0.density_position, false}, 1, y0.has_area, true);
+  }
+  c *= weight;
+  if (is_black(c)) return;
+  push_connection(between(y0.has_area ? offset_toward(y0.p, y0.normal, w) : y0.p, z0.p), c, sample, 1, 1, z0.film);
+}
+
+float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,
+                         PathVertex start_light, PathVertex start_eye, double direct, bool s0_exists, bool corner_exists) {
+  path_.resize(s + t);
+  // Each subpath from its end to its start. What the connecting edge decides comes first; the rest was stored when the
+  // subpath was made.
+  if (s == 1) path_[0] = start_light;
+  if (y) {
+    double eye = edge.eye_at_y, eye_before = edge.eye_before_y;
+    for (uint32_t i = s - 1;; --i) {
+      path_[i] = {y->density, eye, y->specular};
+      eye = eye_before;
+      if (y->previous_index == kNoVertex) {
+        path_[i - 1] = {y->previous_density, eye, false};
+        break;
+      }
+      y = &pool_.light[y->previous_index];
+      eye_before = y->previous_reverse;
+    }
+  }
+  const uint32_t k = s + t - 1;
+  if (t == 1) path_[k] = start_eye;
+  if (z) {
+    double light = edge.light_at_z, light_before = edge.light_before_z;
+    for (uint32_t i = s;; ++i) {
+      path_[i] = {light, z->density, i > 0 && z->specular};  // x_0 emits, whatever it does with other light
+      light = light_before;
+      if (z->previous_index == kNoVertex) {
+        path_[i + 1] = {light, z->previous_density, false};
+        break;
+      }
+      z = &pool_.eye[z->previous_index];
+      light_before = z->previous_reverse;
+    }
+  }
+  PathTechniques path{path_.data(), int(path_.size()), direct, s0_exists, engine_.sensor.is_hittable(), corner_exists};
+  return float(reference_weight(path, int(s), engine_.options));
+}
+
+}  // namespace bdpt

@@ -1,0 +1,59 @@
+#include "transport/engine.h"
+
+namespace bdpt {
+
+namespace {
+constexpr uint32_t kUnlimited = 1u << 24;
+}
+
+Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const TransportOptions& options_, uint64_t seed_)
+    : scene(scene_), sensor(sensor_), film(film_), options(options_), bounds(film_.sample_bounds()), seed(seed_),
+      heuristic(options_.heuristic == Heuristic::Balance ? 1 : options_.beta) {
+  // What cannot be: a sensor that light cannot hit, a scene whose lights cannot be hit.
+  for (uint32_t& row : options.techniques.rows)
+    if (!sensor.is_hittable()) row &= ~1u;
+  if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
+
+  const bool structured = TechniqueClasses::from_mask(options.techniques, classes);
+  unweighted = options.heuristic == Heuristic::None;
+  running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
+
+  const uint32_t k = options.max_edges > 0 ? uint32_t(options.max_edges) : kUnlimited;
+  const TechniqueMask& mask = options.techniques;
+  max_eye = max_light = 0;
+  for (uint32_t s = 0; s < 32; ++s)
+    for (uint32_t t = 0; t < 32; ++t) {
+      if (s + t < 2 || s + t - 1 > k || !mask.allows(int(s), int(t))) continue;
+      const bool more = k == kUnlimited;  // 31 stands for all that follow
+      if (t >= 2) max_eye = std::max(max_eye, t == 31 ? (more ? kUnlimited : k + 1 - s) : t);
+      if (s >= 2 || t == 1) max_light = std::max(max_light, s == 31 ? (more ? kUnlimited : k + 1 - t) : s);
+    }
+  hit_sensor = false;
+  for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
+  if (scene.lights().empty()) max_eye = max_light = 0;
+}
+
+Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
+  const uint64_t groups = uint64_t(film.desc().groups);
+  return {hash_values(seed, 1, pass % groups, number, (pass / groups) >> 32), uint32_t(pass / groups)};
+}
+
+Stream Engine::light_stream(uint64_t pass, uint64_t number) const {
+  const uint64_t groups = uint64_t(film.desc().groups);
+  const uint64_t index = (pass / groups) * samples_per_pass() + number;
+  return {hash_values(seed, 2, pass % groups, index >> 32), uint32_t(index)};
+}
+
+Four Engine::draw_film(const Stream& stream, uint64_t pass, uint64_t number) const {
+  Four u = draw(stream, 0, Purpose::Start);
+  if (options.sampler == SamplerType::Stratified) {
+    const uint32_t n = uint32_t(options.strata), cells = n * n;
+    const uint64_t round = pass / cells;
+    const uint32_t cell = permute(uint32_t(pass % cells), cells, uint32_t(hash_values(seed, 3, number, round)));
+    u.u[0] = std::min((float(cell % n) + u.u[0]) / float(n), 0x1.fffffep-1f);
+    u.u[1] = std::min((float(cell / n) + u.u[1]) / float(n), 0x1.fffffep-1f);
+  }
+  return u;
+}
+
+}  // namespace bdpt

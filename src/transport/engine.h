@@ -1,0 +1,58 @@
+// What every block of a render shares: the scene, the sensor, the options, and what follows from them.
+#pragma once
+
+#include "film/film.h"
+#include "sampling/sampler.h"
+#include "scene/scene.h"
+#include "sensor/sensor.h"
+#include "transport/mis.h"
+#include "transport/options.h"
+#include "transport/stats.h"
+
+#include <vector>
+
+namespace bdpt {
+
+// Every ray that is traced, for benchmarks: what it would cost to trace them alone.
+class RayRecorder {
+ public:
+  virtual ~RayRecorder() = default;
+  // Thread-safe. shadow: only whether anything is in the way was asked.
+  virtual void record(const Ray* rays, size_t count, bool shadow) = 0;
+};
+
+struct Engine {
+  const Scene& scene;
+  const Sensor& sensor;
+  Film& film;
+  TransportOptions options;
+  SampleBounds bounds;
+  uint64_t seed;
+
+  // What follows from the options.
+  TechniqueClasses classes;
+  bool running_sums;         // else reference_weight()
+  PowerHeuristic heuristic;
+  bool unweighted;
+  uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced
+  bool hit_sensor;              // whether t = 0 is done at all
+  RayRecorder* recorder = nullptr;
+
+  Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
+
+  bool allows(uint32_t s, uint32_t t) const { return options.techniques.allows(int(s), int(t)); }
+  uint64_t samples_per_pass() const { return bounds.count(); }
+
+  // The streams of random numbers of sample `number` of a pass. Passes fall into independently scrambled groups;
+  // an eye subpath's points belong to its pixel, a light subpath's to the whole pass.
+  Stream eye_stream(uint64_t pass, uint64_t number) const;
+  Stream light_stream(uint64_t pass, uint64_t number) const;
+  Four draw(const Stream& stream, uint32_t vertex, Purpose purpose) const {
+    const uint32_t group = dimension_group(int(vertex), purpose);
+    return options.sampler == SamplerType::Sobol ? sobol4(stream, group) : independent4(stream, group);
+  }
+  // Film position and lens of an eye subpath: {x in pixel, y in pixel, lens, lens}.
+  Four draw_film(const Stream& stream, uint64_t pass, uint64_t number) const;
+};
+
+}  // namespace bdpt

@@ -1,0 +1,80 @@
+#include "transport/mis.h"
+
+#include "sampling/hash.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace bdpt {
+
+uint64_t TransportOptions::hash() const {
+  uint64_t h = hash_values(max_edges, int(heuristic), int(sampler), sampler == SamplerType::Stratified ? strata : 0,
+                           uniform_light_start, roulette_start);
+  h = hash_bytes(techniques.rows.data(), sizeof(techniques.rows), h);
+  const float numbers[] = {heuristic == Heuristic::Power ? beta : 0, heuristic == Heuristic::Cutoff ? cutoff : 0};
+  return hash_bytes(numbers, sizeof(numbers), h);
+}
+
+bool TechniqueClasses::from_mask(const TechniqueMask& mask, TechniqueClasses& c) {
+  c.s0 = mask.allows(0, 2), c.s1 = mask.allows(1, 2), c.t0 = mask.allows(2, 0), c.t1 = mask.allows(2, 1);
+  c.corner = mask.allows(1, 1), c.inner = mask.allows(2, 2);
+  for (int i = 2; i < 32; ++i) {
+    if (mask.allows(0, i) != c.s0 || mask.allows(1, i) != c.s1 || mask.allows(i, 0) != c.t0 || mask.allows(i, 1) != c.t1)
+      return false;
+    for (int j = 2; j < 32; ++j)
+      if (mask.allows(i, j) != c.inner) return false;
+  }
+  return true;
+}
+
+namespace {
+
+bool exists(const PathTechniques& path, const TechniqueMask& mask, int i) {
+  const int k = path.count - 1, t = k + 1 - i;
+  if (!mask.allows(i, t)) return false;
+  if (i == 0) return path.s0_exists;
+  if (t == 0) return path.t0_exists;
+  if (i == 1 && t == 1 && !path.corner_exists) return false;
+  return !path.vertices[i - 1].specular && !path.vertices[i].specular;
+}
+
+}  // namespace
+
+double reference_weight(const PathTechniques& path, int s, const TransportOptions& options) {
+  const int techniques = path.count + 1;
+  // p_i relative to p_s, up and down from s by (10.9), before the corrections for single techniques.
+  std::vector<double> p(size_t(techniques), 1.0);
+  for (int i = s; i + 1 < techniques; ++i) p[size_t(i + 1)] = p[size_t(i)] * path.vertices[i].light / path.vertices[i].eye;
+  for (int i = s; i > 0; --i) p[size_t(i - 1)] = p[size_t(i)] * path.vertices[i - 1].eye / path.vertices[i - 1].light;
+  // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
+  if (techniques > 2 && path.count > 2) p[1] *= path.direct;
+  for (int i = 0; i < techniques; ++i)
+    if (!exists(path, options.techniques, i)) p[size_t(i)] = 0;
+  const double own = p[size_t(s)];
+  if (!(own > 0)) return 0;
+  for (double& v : p) v /= own;
+  const double largest = *std::max_element(p.begin(), p.end());
+  double sum = 0;
+  switch (options.heuristic) {
+    case Heuristic::Power:
+      for (double v : p) sum += std::pow(v, double(options.beta));
+      return 1 / sum;
+    case Heuristic::Balance:
+      for (double v : p) sum += v;
+      return 1 / sum;
+    case Heuristic::Cutoff:
+      if (1 < double(options.cutoff) * largest) return 0;
+      for (double v : p)
+        if (v >= double(options.cutoff) * largest) sum += v;
+      return 1 / sum;
+    case Heuristic::Maximum:  // the first of equals
+      return std::max_element(p.begin(), p.end()) - p.begin() == s ? 1 : 0;
+    case Heuristic::Average:
+      for (double v : p) sum += v > 0;
+      return 1 / sum;
+    case Heuristic::None: return 1;
+  }
+  return 0;
+}
+
+}  // namespace bdpt

@@ -1,0 +1,33 @@
+// What the engine may be asked to do otherwise.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace bdpt {
+
+enum class Heuristic { Power, Balance, Cutoff, Maximum, Average, None };
+enum class SamplerType { Sobol, Independent, Stratified };
+
+// Which techniques (s,t) take part: bit t of row s, 31 standing for 31 and more.
+struct TechniqueMask {
+  std::array<uint32_t, 32> rows;
+  TechniqueMask() { rows.fill(~0u); }
+  bool allows(int s, int t) const { return rows[s < 31 ? s : 31] >> (t < 31 ? t : 31) & 1u; }
+  bool operator==(const TechniqueMask&) const = default;
+};
+
+struct TransportOptions {
+  int max_edges = 0;  // longest path k; 0 = no limit
+  TechniqueMask techniques;
+  Heuristic heuristic = Heuristic::Power;
+  float beta = 2;
+  float cutoff = 0;
+  SamplerType sampler = SamplerType::Sobol;
+  int strata = 4;
+  bool uniform_light_start = false;
+  int roulette_start = 4;
+  uint64_t hash() const;
+};
+
+}  // namespace bdpt

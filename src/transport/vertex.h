@@ -1,0 +1,93 @@
+// The vertices of subpaths. Eye and light subpaths are made of the same vertices by the same code; only the transport
+// mode tells them apart.
+//
+// Conventions of this folder, after Veach (1997), chapter 10:
+//   y_0 ... y_{s-1}      light subpath, y_0 on a light
+//   z_{t-1} ... z_0      eye subpath, z_0 on the sensor
+//   x_0 ... x_k          the path, x_0 = y_0, x_k = z_0, k = s + t - 1
+//   own, other           a vertex's own side is the end its subpath started from; the other side is the other end
+//   density              per area, in the product measure; `projected` densities are per projected solid angle, with
+//                        the geometric normal, P_sigma-perp of Veach. P_A = P_sigma-perp G
+//   throughput           alpha_i (10.6), (10.7): all factors up to this vertex
+#pragma once
+
+#include "material/material.h"
+#include "math/vec.h"
+
+#include <cstdint>
+
+namespace bdpt {
+
+// A vertex on a surface: y_1, y_2, ... or z_1, z_2, ...; y_0 and z_0 live in LightStart and EyeStart.
+struct Vertex {
+  Vec3 p;
+  float density;             // P_A of this vertex, as its own side samples it
+  Vec3 ng;                   // geometric normal, on the surface's front
+  float geometry;            // G(this <-> previous)
+  Vec3 ns;                   // shading normal
+  float sums;                // v_i of mis.h
+  Vec3 previous;             // unit direction toward the previous vertex
+  float technique;           // u_i of mis.h
+  Vec3 tangent;              // for anisotropic materials
+  float previous_reverse;    // P_A of the previous vertex, as the other side samples it coming from here
+  Rgb throughput;            // alpha
+  Rgb reflectance;
+  const Material* material;
+  uint32_t previous_index;   // in the block's vertices of this side; kNoVertex for y_1 and z_1
+  float previous_density;    // P_A of the previous vertex, as its own side samples it
+  float direct;              // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
+  uint32_t count;            // vertices of the subpath up to and with this one: s or t
+  bool specular;             // no connection is made here
+  bool start_hittable;       // light side: eye subpaths can hit y_0
+  bool start_finite;         // light side: y_0 is a point
+};
+
+inline constexpr uint32_t kNoVertex = ~0u;
+
+// f_s in geometric terms, and both densities, for two directions at a surface vertex.
+struct Scattering {
+  Rgb f;                     // f_s (previous, next), to be used with G of geometric normals; Veach 5.3's correction for
+                             // shading normals is part of it: f |w_light ns| / |w_light ng|
+  float next;                // projected density of next, given previous
+  float previous;            // projected density of previous, given next
+};
+
+// False where nothing is scattered from one direction into the other.
+inline bool scatter(const Vertex& v, const Vec3& next, TransportMode mode, Scattering& out) {
+  const float gn = dot(v.ng, next), sn = dot(v.ns, next), gp = dot(v.ng, v.previous), sp = dot(v.ns, v.previous);
+  if (!(gn * sn > 0) || !(gp * sp > 0)) return false;  // the two normals disagree about the side: light would leak
+  float next_density, previous_density;
+  if (v.material->type == MaterialType::Diffuse) {
+    if (!(sn * sp > 0) || (v.material->one_sided && sn < 0)) return false;
+    out.f = v.reflectance * kInvPi;
+    next_density = std::fabs(sn) * kInvPi;
+    previous_density = std::fabs(sp) * kInvPi;
+  } else {
+    const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
+    const BsdfValue value = evaluate(*v.material, v.reflectance, frame.to_local(v.previous), frame.to_local(next), mode);
+    if (is_black(value.f)) return false;
+    out.f = value.f;
+    next_density = value.density;
+    previous_density = value.density_reverse;
+  }
+  const float next_cosine = 1 / std::fabs(gn), previous_cosine = 1 / std::fabs(gp);
+  out.f *= mode == TransportMode::Radiance ? std::fabs(sn) * next_cosine : std::fabs(sp) * previous_cosine;
+  out.next = next_density * next_cosine;
+  out.previous = previous_density * previous_cosine;
+  return true;
+}
+
+// A point just off the surface at p, on the side toward which n points, by a distance that scales with the coordinates
+// (Waechter and Binder 2019).
+inline Vec3 offset(const Vec3& p, const Vec3& n) {
+  constexpr float origin = 1.0f / 32, float_scale = 1.0f / 65536, int_scale = 256;
+  const auto one = [&](float x, float nx) {
+    if (std::fabs(x) < origin) return x + float_scale * nx;
+    const int32_t step = int32_t(int_scale * nx);
+    return __builtin_bit_cast(float, __builtin_bit_cast(int32_t, x) + (x < 0 ? -step : step));
+  };
+  return {one(p.x, n.x), one(p.y, n.y), one(p.z, n.z)};
+}
+inline Vec3 offset_toward(const Vec3& p, const Vec3& ng, const Vec3& w) { return offset(p, dot(ng, w) < 0 ? -ng : ng); }
+
+}  // namespace bdpt
