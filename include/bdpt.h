@@ -13,7 +13,8 @@
  * Conventions
  *   Structs    Every struct passed by pointer begins with struct_size; set it to sizeof the struct. Zero is the
  *              default of every other field, so `bdpt_film_desc d = {.struct_size = sizeof d};` is complete. A struct
- *              smaller than version 1 of it, or larger with a tail that is not zero, is refused.
+ *              smaller than version 1 of it, or larger with a tail that is not zero, is refused, and is not read
+ *              when its size is that of no version; structs that a call fills in are no exception: zero them.
  *   Results    Every call that can fail returns a bdpt_result: zero is success, negative is an error, positive is an
  *              outcome that is no error (BDPT_CANCELLED). Outputs are the last parameters; on failure handles are set
  *              to NULL and ids to zero. A call that fails has changed nothing. bdpt_last_error() tells the rest.
@@ -129,7 +130,7 @@ typedef struct bdpt_context bdpt_context;
  * drop, if not NULL, is called once when the context is gone. */
 typedef struct bdpt_executor {
   uint32_t struct_size;
-  uint32_t worker_count; /* how many bodies may run at once, >= 1 */
+  uint32_t worker_count; /* how many bodies may run at once, 1 to 4096 */
   void (*run)(void *user, uint32_t n, void (*body)(void *body_user, uint32_t i), void *body_user);
   void *user;
   void (*drop)(void *user);
@@ -157,7 +158,8 @@ typedef int32_t bdpt_isa;
 
 typedef struct bdpt_context_desc {
   uint32_t struct_size;
-  uint32_t threads;              /* threads that render, the caller's included; 0 = one per core. At most 4096 */
+  uint32_t threads;              /* threads that render, the caller's included; 0 = one per core, and never more than
+                                    that; at most 4096. Not together with an executor */
   const bdpt_executor *executor; /* NULL = the library's own threads */
   const bdpt_log *log;           /* NULL = silent */
   uint64_t memory_limit;         /* bytes for scenes, films and blocks together; 0 = none */
@@ -168,7 +170,8 @@ typedef struct bdpt_context_desc {
 /* Creates a context. abi must be BDPT_ABI; desc may be NULL for all defaults.
  * Returns: BDPT_ERROR_ABI, _INVALID_ARGUMENT, _UNSUPPORTED (the ISA is not on this machine), _OUT_OF_MEMORY.
  * Threads: any thread. Callbacks: allowed. Ownership: the caller gets one reference. executor and log are copied;
- * their drop is called once, also when this call fails. */
+ * their drop is called once, also when this call fails, except with BDPT_ERROR_ABI or a struct_size of no version,
+ * when the structs are not read. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_context_create(uint32_t abi, const bdpt_context_desc *desc, bdpt_context **context);
 
 /* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
@@ -220,7 +223,8 @@ typedef struct bdpt_progress {
   uint64_t samples;   /* samples (pairs of subpaths) done by this call */
 } bdpt_progress;
 
-/* Called about ten times a second on the calling thread. Zero goes on; another value stops the call. */
+/* Called about ten times a second on the calling thread, once at the beginning, and once at the end of a call that
+ * finishes. Zero goes on; another value stops the call. */
 typedef int32_t (*bdpt_progress_fn)(void *user, const bdpt_progress *progress);
 
 /* ---------------------------------------------------------------------------------------------------------------
@@ -576,12 +580,12 @@ typedef struct bdpt_read_desc {
 BDPT_API BDPT_CHECK bdpt_result bdpt_film_read(const bdpt_film *film, const bdpt_read_desc *desc, float *pixels, uint64_t capacity);
 
 /* Empties a film, so that another scene or other options may fill it.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT, _REENTRANT. Threads: one thread per object. Callbacks: not for a film in use.
- * Ownership: none. */
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _IN_USE (a render holds the film), _REENTRANT. Threads: one thread per object.
+ * Callbacks: not for a film in use. Ownership: none. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_film_clear(bdpt_film *film);
 /* Adds the passes of source to destination, exactly: the merge of [0,k) and [k,n) is the render of [0,n).
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for one film twice), _MISMATCH (other scene, seed or options, or
- * overlapping passes; an empty film takes all), _REENTRANT. Threads: one thread per object, both.
+ * overlapping passes; an empty film takes all), _IN_USE (a render holds the destination), _REENTRANT. Threads: one thread per object, both.
  * Callbacks: not for a film in use. Ownership: none. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_film_merge(bdpt_film *destination, const bdpt_film *source);
 /* Writes the film's whole state to a file, first under another name, so that path holds the old file or the new one.
@@ -635,7 +639,7 @@ typedef struct bdpt_render_desc {
 } bdpt_render_desc;
 
 /* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options
- * and seed; it then goes on. desc may be NULL. A technique the sensor cannot serve (t = 0 with a pinhole) is dropped,
+ * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique the sensor cannot serve (t = 0 with a pinhole) is dropped,
  * the weights know of it, and the log says so.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MISMATCH, _IN_USE (the film is in another render), _MEMORY_LIMIT,
  * _OUT_OF_MEMORY. Threads: any thread. Callbacks: not for a film in use. Ownership: the caller destroys the render; it
@@ -646,7 +650,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_render_create(bdpt_scene *scene, bdpt_senso
  * Callbacks: not for the render in use. Ownership: frees it; NULL is ignored. */
 BDPT_API void bdpt_render_destroy(bdpt_render *render);
 
-/* Receives the image of the whole passes so far, tile by tile: begin once, tile for each, end once with the result. */
+/* Receives the image of the whole passes so far, tile by tile: begin once, tile for each, end once with the result of
+ * the sending. An image just sent is not sent again at the end of the call; after a callback that failed nothing is. */
 typedef struct bdpt_output_sink {
   uint32_t struct_size;
   uint32_t every; /* send the image after every so many passes, and at the end of the call; 0 = only at the end */
@@ -689,7 +694,8 @@ typedef struct bdpt_advance_report {
  * the caller's thread at work too. A cancelled call keeps the blocks that were finished; the next call completes the
  * pass, and the film is then what it would have been without the cancel.
  * Returns: BDPT_OK, BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT, _CALLBACK_FAILED, _OUT_OF_MEMORY, _REENTRANT.
- * report may be NULL. Threads: one thread per object, render and film. Callbacks: not for the render in use.
+ * report may be NULL; it is written on BDPT_ERROR_CALLBACK_FAILED, too. Threads: one thread per object, render and
+ * film. Callbacks: not for the render in use.
  * Ownership: none. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_render_advance(bdpt_render *render, const bdpt_advance_desc *desc, bdpt_advance_report *report);
 
@@ -740,7 +746,8 @@ typedef struct bdpt_display_desc {
 
 /* Turns linear pixels (3 floats each, packed, Rec. 709 primaries) into display values in [0,1], in place, by
  * OpenColorIO. desc may be NULL for sRGB.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration).
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration),
+ * _FORMAT (a damaged one).
  * Threads: any thread. Callbacks: allowed. Ownership: writes pixels. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_image_display(const bdpt_display_desc *desc, float *pixels, uint32_t width, uint32_t height);
 

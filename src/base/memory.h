@@ -24,10 +24,13 @@ class MemoryMeter {
       used_.fetch_sub(bytes);
       return false;
     }
-    uint64_t peak = peak_.load();
-    while (now > peak && !peak_.compare_exchange_weak(peak, now)) {
-    }
+    raise_peak(now);
     return true;
+  }
+  // Books what is there already, beyond the limit, too.
+  void add_always(uint64_t bytes) {
+    const uint64_t now = used_.fetch_add(bytes) + bytes;
+    raise_peak(now);
   }
   void subtract(uint64_t bytes) { used_.fetch_sub(bytes); }
   uint64_t used() const { return used_.load(); }
@@ -35,6 +38,12 @@ class MemoryMeter {
   uint64_t limit() const { return limit_; }
 
  private:
+  void raise_peak(uint64_t now) {
+    uint64_t peak = peak_.load();
+    while (now > peak && !peak_.compare_exchange_weak(peak, now)) {
+    }
+  }
+
   uint64_t limit_;
   std::atomic<uint64_t> used_{0}, peak_{0};
 };

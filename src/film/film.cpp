@@ -289,7 +289,7 @@ void Film::merge(const Film& source) {
   all.insert(all.end(), source.ranges_.begin(), source.ranges_.end());
   if (!unite(all, united)) fail(ErrorCode::Mismatch, "source: some of its passes are in the destination already");
   recipe_ = source.recipe_;
-  ranges_ = united;
+  ranges_ = std::move(united);
   rejected_ += source.rejected_;
   for (size_t i = 0; i < sums_.size(); ++i) {
     for (int c = 0; c < 3; ++c) {

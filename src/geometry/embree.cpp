@@ -89,12 +89,9 @@ struct RayDevice::Implementation {
   static bool on_memory(void* self, ssize_t bytes, bool post) {
     auto& i = *static_cast<Implementation*>(self);
     if (bytes > 0 && !i.meter->try_add(uint64_t(bytes))) {
-      if (post) {  // already allocated: it must be booked
-        i.bytes += bytes;
-        return true;
-      }
       i.over_limit = true;
-      return false;
+      if (!post) return false;
+      i.meter->add_always(uint64_t(bytes));  // it is allocated already
     }
     if (bytes < 0) i.meter->subtract(uint64_t(-bytes));
     i.bytes += bytes;
@@ -109,7 +106,11 @@ RayDevice::RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter) : implementati
   i.isa = isa == Isa::Best ? best : isa;
   i.meter = std::move(meter);
   i.device = rtcNewDevice(isa_config(isa));
-  if (!i.device) fail(ErrorCode::Unsupported, "Embree cannot run on this machine (error ", int(rtcGetDeviceError(nullptr)), ")");
+  if (!i.device) {
+    const RTCError error = rtcGetDeviceError(nullptr);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+    fail(ErrorCode::Unsupported, "Embree cannot run on this machine (error ", int(error), ")");
+  }
   rtcSetDeviceMemoryMonitorFunction(i.device, Implementation::on_memory, &i);
 }
 

@@ -58,7 +58,7 @@ class Lights {
     Rgb radiance;
     bool two_sided = false;
     bool is_sphere = false;
-    Vec3 center;      // sphere
+    Vec3 center{0, 0, 0};  // sphere
     float radius = 0;
     float area = 0;
     Discrete triangles;  // by area

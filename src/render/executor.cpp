@@ -1,11 +1,11 @@
 #include "render/executor.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <thread>
 
 namespace bdpt {
 
@@ -14,7 +14,7 @@ namespace {
 class Pool final : public Executor {
  public:
   explicit Pool(uint32_t threads)
-      : threads_(threads ? threads : std::max(1u, std::thread::hardware_concurrency())), arena_(int(threads_)) {}
+      : threads_(std::min(threads ? threads : ~0u, uint32_t(tbb::info::default_concurrency()))), arena_(int(threads_)) {}
   uint32_t worker_count() const override { return threads_; }
   void run(uint32_t n, const std::function<void(uint32_t)>& body) override {
     arena_.execute([&] {

@@ -17,7 +17,7 @@ class Executor {
   virtual void isolate(const std::function<void()>& body) = 0;
 };
 
-// Own threads, the caller's included; threads = 0 takes one per core.
+// Own threads, the caller's included; threads = 0 takes one per core, and more than that are not had.
 std::shared_ptr<Executor> make_pool(uint32_t threads);
 
 // The host's threads.

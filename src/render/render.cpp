@@ -110,6 +110,11 @@ Render::~Render() {
   film_->release();
 }
 
+TransportStats Render::stats() const {
+  const std::lock_guard lock(workers_mutex_);
+  return stats_;
+}
+
 std::unique_ptr<Render::Worker> Render::take_worker() {
   const std::lock_guard lock(workers_mutex_);
   if (workers_.empty()) return std::make_unique<Worker>(*engine_);
@@ -153,6 +158,8 @@ bool Render::run_pass(Call& call) {
     std::rethrow_exception(call.error);
   }
   if (call.blocks_done < blocks_.size()) {
+    if (!call.stop && !call.cancelled())
+      fail(ErrorCode::CallbackFailed, "executor: run returned before it had called the body for each index");
     film_->set_partial(call.blocks_done > 0);
     return false;
   }

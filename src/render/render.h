@@ -54,7 +54,7 @@ class Render {
 
   // Not to be called from its own callbacks.
   AdvanceReport advance(const AdvanceDesc& desc);
-  const TransportStats& stats() const { return stats_; }
+  TransportStats stats() const;  // also while advance() is under way
   const Engine& engine() const { return *engine_; }
   uint64_t passes() const { return passes_; }
   double seconds() const { return seconds_; }
@@ -81,7 +81,7 @@ class Render {
   std::vector<BlockRect> blocks_;
   std::vector<uint8_t> blocks_done_;  // of the pass in hand
   uint64_t pass_ = 0;                 // the pass in hand
-  std::mutex workers_mutex_;
+  mutable std::mutex workers_mutex_;
   std::vector<std::unique_ptr<Worker>> workers_;  // those that are idle
   TransportStats stats_;
   uint64_t passes_ = 0;

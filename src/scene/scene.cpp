@@ -83,10 +83,8 @@ Scene::Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::share
   if (desc_.instances.empty() && desc_.lights.empty())
     fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light; add some before building");
 
+  booking_ = Booking(meter, world_position_bytes(), "the scene's world positions");
   place_instances();
-  uint64_t bytes = 0;
-  for (const auto& p : world_positions_) bytes += p.size() * sizeof(Vec3);
-  booking_ = Booking(meter, bytes, "the scene's world positions");
   collect_lights();
 
   const uint64_t before = device->memory();
@@ -101,7 +99,7 @@ Scene::Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::share
   }
   rays_ = std::make_unique<RayScene>(device, geometries, progress);
   info_.memory_embree = device->memory() > before ? device->memory() - before : 0;
-  info_.memory = info_.memory_embree + bytes;
+  info_.memory = info_.memory_embree + booking_.bytes();
   for (const Shape& s : desc_.shapes)
     if (s.mesh) info_.memory += s.mesh->memory;
   for (const auto& t : desc_.textures)
@@ -124,9 +122,29 @@ View<Vec3> Scene::object_positions(const Mesh& mesh) {
   return view;
 }
 
-void Scene::place_instances() {
+std::vector<int> Scene::uses_of_shapes() const {
   std::vector<int> uses(desc_.shapes.size());
   for (const InstanceDesc& i : desc_.instances) ++uses[size_t(i.shape)];
+  return uses;
+}
+
+// What place_instances() is going to copy, at most.
+uint64_t Scene::world_position_bytes() const {
+  const std::vector<int> uses = uses_of_shapes();
+  std::vector<uint8_t> counted(desc_.shapes.size());
+  uint64_t bytes = 0;
+  for (const InstanceDesc& i : desc_.instances) {
+    const Mesh* mesh = desc_.shapes[size_t(i.shape)].mesh.get();
+    if (!mesh) continue;
+    const bool own = !i.transform.is_identity() && uses[size_t(i.shape)] == 1;
+    if (own || (!mesh->positions_padded && !counted[size_t(i.shape)])) bytes += (mesh->positions.size() + 2) * sizeof(Vec3);
+    counted[size_t(i.shape)] = 1;
+  }
+  return bytes;
+}
+
+void Scene::place_instances() {
+  const std::vector<int> uses = uses_of_shapes();
   for (const InstanceDesc& d : desc_.instances) {
     Instance instance;
     const Shape& shape = desc_.shapes[size_t(d.shape)];

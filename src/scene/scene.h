@@ -61,6 +61,8 @@ class Scene {
   };
 
   View<Vec3> object_positions(const Mesh& mesh);
+  std::vector<int> uses_of_shapes() const;
+  uint64_t world_position_bytes() const;
   void place_instances();
   void collect_lights();
   bool triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& surface) const;

@@ -16,11 +16,13 @@ uint64_t TransportOptions::hash() const {
 }
 
 bool TechniqueClasses::from_mask(const TechniqueMask& mask, TechniqueClasses& c) {
-  c.s0 = mask.allows(0, 2), c.s1 = mask.allows(1, 2), c.t0 = mask.allows(2, 0), c.t1 = mask.allows(2, 1);
+  // Paths of one edge share no technique with others: (0,2) and (2,0) may be off together with (1,1).
+  const bool one_edge = mask.allows(0, 2) || mask.allows(1, 1) || mask.allows(2, 0);
+  c.s0 = mask.allows(0, 3), c.s1 = mask.allows(1, 2), c.t0 = mask.allows(3, 0), c.t1 = mask.allows(2, 1);
   c.corner = mask.allows(1, 1), c.inner = mask.allows(2, 2);
   for (int i = 2; i < 32; ++i) {
-    if (mask.allows(0, i) != c.s0 || mask.allows(1, i) != c.s1 || mask.allows(i, 0) != c.t0 || mask.allows(i, 1) != c.t1)
-      return false;
+    if (mask.allows(1, i) != c.s1 || mask.allows(i, 1) != c.t1) return false;
+    if ((one_edge || i > 2) && (mask.allows(0, i) != c.s0 || mask.allows(i, 0) != c.t0)) return false;
     for (int j = 2; j < 32; ++j)
       if (mask.allows(i, j) != c.inner) return false;
   }

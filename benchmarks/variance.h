@@ -1,0 +1,26 @@
+// The variance of an image between independent renders.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace bdpt_benchmark {
+
+class ImageVariance {
+ public:
+  void add(const std::vector<float>& image);
+
+  // var / (mean² + 0.01 M²), averaged over the pixels: var the unbiased sample variance of a pixel, mean its mean, M
+  // the mean of the whole image.
+  double relative() const;
+  // The mean of the whole image.
+  double image_mean() const;
+
+ private:
+  std::size_t images_ = 0;
+  std::vector<double> mean_, squares_;  // Welford's running mean and sum of squared differences
+};
+
+}  // namespace bdpt_benchmark

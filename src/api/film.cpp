@@ -1,0 +1,141 @@
+#include "api/check.h"
+#include "api/desc.h"
+#include "api/handles.h"
+
+using namespace bdpt;
+
+namespace {
+
+constexpr uint32_t kDefaultGroups = 2, kMaxGroups = 16, kMaxPyramidEdges = 15;
+
+FilterDesc read_filter(const Subject& subject, const bdpt_film_desc& desc) {
+  subject.check_enum("filter", desc.filter, BDPT_FILTER_BLACKMAN_HARRIS);
+  if (desc.filter_radius != 0) subject.check_range("filter_radius", desc.filter_radius, 0.5, 8);
+  subject.check_finite("filter_a", desc.filter_a);
+  subject.check_finite("filter_b", desc.filter_b);
+  // Within these the filter's integral is well away from zero, by which it is divided.
+  if (desc.filter == BDPT_FILTER_GAUSSIAN && desc.filter_a != 0)
+    subject.check_range("filter_a", desc.filter_a, 0.1f, 16);
+  if (desc.filter == BDPT_FILTER_MITCHELL) {
+    subject.check_range("filter_a", desc.filter_a, 0, 1);
+    subject.check_range("filter_b", desc.filter_b, 0, 1);
+  }
+  return {static_cast<FilterType>(desc.filter), desc.filter_radius, desc.filter_a, desc.filter_b};
+}
+
+FilmDesc read_film(const bdpt_film_desc& desc, const Sensor& sensor) {
+  const Subject subject("film", nullptr);
+  FilmDesc film;
+  film.width = sensor.width();
+  film.height = sensor.height();
+  film.filter = read_filter(subject, desc);
+  subject.check_enum("normalization", desc.normalization, BDPT_NORMALIZATION_SAMPLE_COUNT);
+  film.normalize_by_weights = desc.normalization == BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED;
+  if (desc.groups > kMaxGroups) subject.check_range("groups", desc.groups, 1, kMaxGroups);
+  film.groups = int(desc.groups == 0 ? kDefaultGroups : desc.groups);
+  subject.check_range("pyramid_edges", desc.pyramid_edges, 0, kMaxPyramidEdges);
+  film.pyramid_edges = int(desc.pyramid_edges);
+  return film;
+}
+
+void check_path(const char* path) {
+  if (!path || !*path) fail(ErrorCode::InvalidArgument, "path is ", path ? "empty" : "NULL", ": name a file");
+}
+
+// A render counts on the passes that it found and made.
+void check_not_rendered(const bdpt_film& film, const char* name) {
+  film.busy.check(name);
+  if (film.film->is_in_use())
+    fail(ErrorCode::InUse, "the ", name, " is being filled by a render: destroy the render first");
+}
+
+bdpt_film_info info_of(const Film& film) {
+  const FilmDesc& desc = film.desc();
+  bdpt_film_info info{};
+  info.width = uint32_t(desc.width);
+  info.height = uint32_t(desc.height);
+  info.groups = uint32_t(desc.groups);
+  info.pyramid_edges = uint32_t(desc.pyramid_edges);
+  info.filter = static_cast<bdpt_filter>(desc.filter.type);
+  info.filter_radius = film.filter().radius();
+  info.normalization =
+      desc.normalize_by_weights ? BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED : BDPT_NORMALIZATION_SAMPLE_COUNT;
+  info.rejected = film.rejected();
+  info.relative_error = film.relative_error();
+  if (film.is_empty()) return info;
+  info.passes = film.passes();
+  info.first_pass = film.ranges().front().begin;
+  info.next_pass = film.ranges().back().end;
+  info.seed = film.recipe().seed;
+  info.scene_hash = film.recipe().scene_hash;
+  info.options_hash = film.recipe().options_hash;
+  return info;
+}
+
+}  // namespace
+
+bdpt_result bdpt_film_create(bdpt_sensor* sensor, const bdpt_film_desc* desc, bdpt_film** film) {
+  return guard(__func__, [&] {
+    reset_output(film);
+    require(sensor, "sensor");
+    const bdpt_film_desc d = read_optional_struct(desc, "desc");
+    require(film, "film");
+    auto object = std::make_unique<bdpt_film>();
+    object->context = sensor->context;
+    object->film = std::make_shared<Film>(read_film(d, *sensor->sensor), sensor->context->meter);
+    *film = object.release();
+  });
+}
+
+void bdpt_film_retain(bdpt_film* film) {
+  if (film) film->retain();
+}
+
+void bdpt_film_release(bdpt_film* film) {
+  if (film) film->release();
+}
+
+bdpt_result bdpt_film_get_info(const bdpt_film* film, bdpt_film_info* info) {
+  return guard(__func__, [&] {
+    require(film, "film");
+    check_output_struct(info, "info");
+    write_struct(info_of(*film->film), info);
+  });
+}
+
+bdpt_result bdpt_film_clear(bdpt_film* film) {
+  return guard(__func__, [&] {
+    check_not_rendered(require(film, "film"), "film");
+    film->film->clear();
+  });
+}
+
+bdpt_result bdpt_film_merge(bdpt_film* destination, const bdpt_film* source) {
+  return guard(__func__, [&] {
+    check_not_rendered(require(destination, "destination"), "destination");
+    require(source, "source").busy.check("source");
+    if (destination == source) fail(ErrorCode::InvalidArgument, "source is the destination itself: pass two films");
+    destination->film->merge(*source->film);
+  });
+}
+
+bdpt_result bdpt_film_save(const bdpt_film* film, const char* path) {
+  return guard(__func__, [&] {
+    require(film, "film");
+    check_path(path);
+    film->film->save(path);
+  });
+}
+
+bdpt_result bdpt_film_load(bdpt_context* context, const char* path, bdpt_film** film) {
+  return guard(__func__, [&] {
+    reset_output(film);
+    require(context, "context");
+    check_path(path);
+    require(film, "film");
+    auto object = std::make_unique<bdpt_film>();
+    object->context = Ref<bdpt_context>(context);
+    object->film = Film::load(path, context->meter);
+    *film = object.release();
+  });
+}

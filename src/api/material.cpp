@@ -1,0 +1,109 @@
+#include "api/builder.h"
+#include "api/check.h"
+#include "api/desc.h"
+
+using namespace bdpt;
+
+namespace {
+
+constexpr float kDefaultIor = 1.5f;
+
+void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
+  subject.check_enum("type", desc.type, BDPT_MATERIAL_DIELECTRIC);
+  subject.check_range("reflectance", desc.reflectance, 3, 0, 1);
+  subject.check_flag("one_sided", desc.one_sided);
+  subject.check_not_negative("eta", desc.eta, 3);
+  subject.check_not_negative("k", desc.k, 3);
+  if (desc.ior != 0) subject.check_range("ior", desc.ior, 0.1f, 10);
+  subject.check_range("roughness", desc.roughness, 2, 0, 1);
+  subject.check_not_negative("emission", desc.emission, 3);
+  subject.check_flag("emission_two_sided", desc.emission_two_sided);
+  subject.check_reserved("reserved", desc.reserved);
+}
+
+// What only the type in question asks for.
+void check_type(const Subject& subject, const bdpt_material_desc& desc) {
+  const bool dielectric = desc.type == BDPT_MATERIAL_DIELECTRIC, conductor = desc.type == BDPT_MATERIAL_CONDUCTOR;
+  if (dielectric && desc.one_sided)
+    subject.refuse("one_sided", "is 1, but light passes through a dielectric: set it to 0");
+  if ((dielectric || conductor) && desc.reflectance_texture.id != 0)
+    subject.refuse("reflectance_texture",
+                   "is set: only diffuse materials and mirrors have a reflectance; set it to zero");
+  if ((dielectric || conductor) && (desc.roughness[0] == 0) != (desc.roughness[1] == 0))
+    subject.refuse("roughness", "is (", desc.roughness[0], ", ", desc.roughness[1],
+                   "): give two values above 0, or two zeros for a smooth surface");
+  for (int i = 0; conductor && i < 3; ++i)
+    if (desc.eta[i] == 0 && desc.k[i] == 0)
+      subject.refuse("eta and k", "are both 0 in channel ", i, ": give the metal's complex index of refraction");
+}
+
+MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& desc) {
+  const Subject subject("material", desc.label);
+  check_fields(subject, desc);
+  check_type(subject, desc);
+  if (desc.reflectance_texture.id != 0) {
+    const TextureEntry& texture = builder.textures.at(desc.reflectance_texture.id, "desc.reflectance_texture");
+    if (texture.maximum > 1)
+      subject.refuse("reflectance_texture", "has texels up to ", texture.maximum,
+                     ": a surface reflects no more than it receives; scale them to at most 1");
+  }
+  MaterialEntry entry;
+  entry.label = subject.label();
+  entry.texture = desc.reflectance_texture.id;
+  Material& m = entry.material;
+  m.type = static_cast<MaterialType>(desc.type);
+  m.reflectance = to_rgb(desc.reflectance);
+  m.eta = to_rgb(desc.eta);
+  m.k = to_rgb(desc.k);
+  m.ior = desc.ior == 0 ? kDefaultIor : desc.ior;
+  m.alpha_u = desc.roughness[0];
+  m.alpha_v = desc.roughness[1];
+  m.one_sided = desc.one_sided != 0;
+  m.emission = to_rgb(desc.emission);
+  m.emission_two_sided = desc.emission_two_sided != 0;
+  return entry;
+}
+
+void use_texture(bdpt_builder& builder, uint64_t texture) {
+  if (texture) ++builder.textures[texture].users;
+}
+
+void leave_texture(bdpt_builder& builder, uint64_t texture) {
+  if (texture) --builder.textures[texture].users;
+}
+
+}  // namespace
+
+bdpt_result bdpt_material_add(bdpt_builder* builder, const bdpt_material_desc* desc, bdpt_material_id* material) {
+  return guard(__func__, [&] {
+    reset_output(material);
+    bdpt_builder& b = writable(builder);
+    const bdpt_material_desc d = read_struct(desc, "desc");
+    require(material, "material");
+    material->id = b.materials.add(read_material(b, d));
+    use_texture(b, d.reflectance_texture.id);
+  });
+}
+
+bdpt_result bdpt_material_update(bdpt_builder* builder, bdpt_material_id material, const bdpt_material_desc* desc) {
+  return guard(__func__, [&] {
+    bdpt_builder& b = writable(builder);
+    const bdpt_material_desc d = read_struct(desc, "desc");
+    MaterialEntry& entry = b.materials.at(material.id, "material");
+    MaterialEntry updated = read_material(b, d);
+    updated.users = entry.users;
+    use_texture(b, updated.texture);
+    leave_texture(b, entry.texture);
+    entry = std::move(updated);
+  });
+}
+
+bdpt_result bdpt_material_remove(bdpt_builder* builder, bdpt_material_id material) {
+  return guard(__func__, [&] {
+    bdpt_builder& b = writable(builder);
+    const MaterialEntry& entry = b.materials.at(material.id, "material");
+    check_unused(entry.users, "material", entry.label, "instance");
+    leave_texture(b, entry.texture);
+    b.materials.take(material.id);
+  });
+}

@@ -1,0 +1,126 @@
+#include "api/check.h"
+#include "api/desc.h"
+#include "api/handles.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace bdpt;
+
+namespace {
+
+constexpr float kDefaultBeta = 2, kMaxBeta = 64;
+constexpr uint32_t kDefaultStrata = 4, kMaxStrata = 256, kDefaultRouletteStart = 4, kMaxBlock = 65536;
+
+// More than any path has, so nothing is lost.
+int to_int(uint32_t v) { return int(std::min(v, uint32_t(std::numeric_limits<int>::max()))); }
+
+bool is_all(const uint32_t techniques[32]) {
+  return std::all_of(techniques, techniques + 32, [](uint32_t row) { return row == 0; }) ||
+         std::all_of(techniques, techniques + 32, [](uint32_t row) { return row == ~0u; });
+}
+
+TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& desc) {
+  TransportOptions options;
+  options.max_edges = to_int(desc.max_edges);
+  if (!is_all(desc.techniques)) std::copy(desc.techniques, desc.techniques + 32, options.techniques.rows.begin());
+  subject.check_enum("heuristic", desc.heuristic, BDPT_HEURISTIC_NONE);
+  options.heuristic = static_cast<Heuristic>(desc.heuristic);
+  if (!(desc.beta >= 0 && desc.beta <= kMaxBeta))
+    subject.refuse("beta", "is ", desc.beta, ": give a value above 0 and up to ", kMaxBeta, ", or 0 for ",
+                   kDefaultBeta);
+  options.beta = desc.beta == 0 ? kDefaultBeta : desc.beta;
+  subject.check_range("cutoff", desc.cutoff, 0, 1);
+  options.cutoff = desc.cutoff;
+  subject.check_enum("sampler", desc.sampler, BDPT_SAMPLER_STRATIFIED);
+  options.sampler = static_cast<SamplerType>(desc.sampler);
+  subject.check_range("strata", desc.strata, 0, kMaxStrata);
+  options.strata = int(desc.strata == 0 ? kDefaultStrata : desc.strata);
+  subject.check_enum("light_start", desc.light_start, BDPT_LIGHT_START_UNIFORM);
+  options.uniform_light_start = desc.light_start == BDPT_LIGHT_START_UNIFORM;
+  options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);
+  return options;
+}
+
+RenderDesc read_render(const bdpt_render_desc& desc) {
+  const Subject subject("render", nullptr);
+  RenderDesc render;
+  render.transport = read_transport(subject, desc);
+  render.seed = desc.seed;
+  render.first_pass = desc.first_pass;
+  subject.check_range("block_size", desc.block_size, 0, kMaxBlock);
+  render.block_size = desc.block_size;
+  return render;
+}
+
+void check_fit(const bdpt_scene& scene, const bdpt_sensor& sensor, const bdpt_film& film) {
+  if (scene.context.get() != sensor.context.get() || scene.context.get() != film.context.get())
+    fail(ErrorCode::Mismatch, "scene, sensor and film are of different contexts: create the three from one");
+  const FilmDesc& desc = film.film->desc();
+  if (desc.width != sensor.sensor->width() || desc.height != sensor.sensor->height())
+    fail(ErrorCode::Mismatch, "the film is ", desc.width, " x ", desc.height, " pixels and the sensor ",
+         sensor.sensor->width(), " x ", sensor.sensor->height(), ": create the film for this sensor");
+}
+
+// Told only to hosts that asked for t = 0 in so many words: with "all" nobody expects what the sensor cannot do.
+void report_dropped(const Log& log, const bdpt_render_desc& desc, const Sensor& sensor) {
+  if (sensor.is_hittable() || is_all(desc.techniques)) return;
+  const bool asked = std::any_of(desc.techniques + 2, desc.techniques + 32, [](uint32_t row) { return row & 1u; });
+  if (asked) log.info("the techniques with t = 0 are dropped: no light path can hit a pinhole");
+}
+
+}  // namespace
+
+bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film* film, const bdpt_render_desc* desc,
+                               bdpt_render** render) {
+  return guard(__func__, [&] {
+    reset_output(render);
+    require(scene, "scene");
+    require(sensor, "sensor");
+    require(film, "film").busy.check("film");
+    const bdpt_render_desc d = read_optional_struct(desc, "desc");
+    require(render, "render");
+    const RenderDesc options = read_render(d);
+    check_fit(*scene, *sensor, *film);
+    auto object = std::make_unique<bdpt_render>();
+    object->context = scene->context;
+    object->film = Ref<bdpt_film>(film);
+    object->render = std::make_unique<Render>(scene->scene, sensor->sensor, film->film, scene->context->executor,
+                                              scene->context->meter, options);
+    report_dropped(*scene->context->log, d, *sensor->sensor);
+    *render = object.release();
+  });
+}
+
+void bdpt_render_destroy(bdpt_render* render) {
+  if (!render) return;
+  // To free what a call in progress works on would be worse than to leave it to its owner.
+  if (render->busy.is_set())
+    return set_last_error(__func__, "the render is in use by the call that runs this callback");
+  delete render;
+}
+
+bdpt_result bdpt_render_get_stats(const bdpt_render* render, bdpt_render_stats* stats) {
+  return guard(__func__, [&] {
+    const Render& r = *require(render, "render").render;
+    check_output_struct(stats, "stats");
+    const TransportStats& from = r.stats();
+    bdpt_render_stats result{};
+    result.passes = r.passes();
+    result.samples = from.samples;
+    result.eye_rays = from.eye_rays;
+    result.light_rays = from.light_rays;
+    result.shadow_rays = from.shadow_rays;
+    result.shadow_rays_blocked = from.shadow_rays_blocked;
+    result.connections = from.connections;
+    result.rejected = from.rejected;
+    result.seconds = r.seconds();
+    result.seconds_start = from.start;
+    result.seconds_extend = from.extend;
+    result.seconds_extend_rays = from.extend_rays;
+    result.seconds_connect = from.connect;
+    result.seconds_shadow = from.shadow;
+    result.seconds_accumulate = from.accumulate;
+    write_struct(result, stats);
+  });
+}

@@ -1,0 +1,196 @@
+#include "api/builder.h"
+#include "api/desc.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <unordered_map>
+
+using namespace bdpt;
+
+namespace {
+
+// Turns what the builder holds into a scene description. Only what an instance uses goes in, in the order of its first
+// use, so that neither ids nor what is not seen decide anything.
+class Collector {
+ public:
+  explicit Collector(const bdpt_builder& builder) : builder_(builder) {}
+
+  SceneDesc collect() {
+    desc_.instances.reserve(builder_.instances.size());
+    for (const auto& [id, instance] : builder_.instances)
+      desc_.instances.push_back(
+          {instance.label, shape(instance.shape), material(instance.material), instance.transform});
+    for (const auto& [id, light] : builder_.lights) desc_.lights.push_back(light);
+    return std::move(desc_);
+  }
+
+ private:
+  // The index of an id; add() appends the object where it has none yet.
+  template <class Add>
+  static int index(std::unordered_map<uint64_t, int>& indices, uint64_t id, Add&& add) {
+    const auto [place, is_new] = indices.try_emplace(id, static_cast<int>(indices.size()));
+    if (is_new) add();
+    return place->second;
+  }
+  int shape(uint64_t id) {
+    return index(shapes_, id, [&] { desc_.shapes.push_back(builder_.shapes[id].shape); });
+  }
+  int texture(uint64_t id) {
+    return index(textures_, id, [&] { desc_.textures.push_back(builder_.textures[id].texture); });
+  }
+  int material(uint64_t id) {
+    return index(materials_, id, [&] {
+      const MaterialEntry& entry = builder_.materials[id];
+      desc_.materials.push_back(entry.material);
+      if (entry.texture) desc_.materials.back().reflectance_texture = texture(entry.texture);
+    });
+  }
+
+  const bdpt_builder& builder_;
+  SceneDesc desc_;
+  std::unordered_map<uint64_t, int> shapes_, textures_, materials_;
+};
+
+void check_contents(const bdpt_builder& builder) {
+  if (builder.instances.empty() && builder.lights.empty())
+    fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light: add something to render");
+  const LightDesc* environment = nullptr;
+  for (const auto& [id, light] : builder.lights) {
+    if (light.type != LightType::Environment) continue;
+    if (environment)
+      fail(ErrorCode::InvalidArgument, "the builder holds two environment lights, \"", environment->label, "\" and \"",
+           light.label, "\": remove one of them");
+    environment = &light;
+  }
+}
+
+// Every light, and those that shine.
+struct LightCount {
+  uint32_t all = 0, shining = 0;
+
+  explicit LightCount(const SceneDesc& desc) {
+    for (const LightDesc& light : desc.lights) add(light.intensity + light.radiance);
+    for (const InstanceDesc& instance : desc.instances) {
+      const Rgb& emission = desc.materials[size_t(instance.material)].emission;
+      if (!is_black(emission)) add(emission);
+    }
+  }
+  void add(const Rgb& strength) {
+    ++all;
+    if (!is_black(strength)) ++shining;
+  }
+};
+
+// What the engine asks from time to time while it builds: it may be asked on any thread.
+class BuildProgress {
+ public:
+  BuildProgress(const bdpt_build_desc& desc, HostCalls& calls) : desc_(desc), calls_(calls) {}
+
+  // False stops the build. Tells the host at most ten times a second, but the first time and whenever it must.
+  bool operator()(double fraction, bool must_tell = false) {
+    if (desc_.cancel && bdpt_cancel_is_requested(desc_.cancel)) return false;
+    if (calls_.failed()) return false;
+    if (!desc_.progress) return true;
+    return calls_.run("desc.progress", [&]() -> int32_t {
+      const auto now = std::chrono::steady_clock::now();
+      if (!must_tell && now - told_ < std::chrono::milliseconds(100)) return 0;
+      told_ = now;
+      fraction_ = std::clamp(fraction, fraction_, 1.0);
+      bdpt_progress progress{};
+      progress.struct_size = sizeof progress;
+      progress.fraction = fraction_;
+      progress.seconds = std::chrono::duration<double>(now - begin_).count();
+      return desc_.progress(desc_.user, &progress);
+    });
+  }
+
+ private:
+  const bdpt_build_desc& desc_;
+  HostCalls& calls_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now(), told_ = begin_;
+  double fraction_ = 0;
+};
+
+bdpt_build_desc read_build_desc(const bdpt_build_desc* caller) {
+  const bdpt_build_desc desc = read_optional_struct(caller, "desc");
+  if (desc.reserved != 0) fail(ErrorCode::InvalidArgument, "desc.reserved is ", desc.reserved, ": it must be 0");
+  return desc;
+}
+
+// Builds on the executor's threads; throws RayScene::Cancelled, or CallbackFailed.
+std::shared_ptr<const Scene> build(const bdpt_context& context, SceneDesc desc, const bdpt_build_desc& options) {
+  HostCalls calls;
+  BuildProgress progress(options, calls);
+  std::shared_ptr<const Scene> scene;
+  std::exception_ptr thrown;
+  bool going = progress(0, true);
+  if (going) {
+    // What is thrown must not cross the executor, which may be the host's.
+    context.executor->isolate([&] {
+      try {
+        scene = std::make_shared<const Scene>(std::move(desc), context.device, context.meter,
+                                              [&](double fraction) { return progress(fraction); });
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+    });
+    if (!thrown) going = progress(1, true);
+  }
+  calls.check();
+  if (thrown) std::rethrow_exception(thrown);
+  if (!going) throw RayScene::Cancelled();
+  return scene;
+}
+
+}  // namespace
+
+bdpt_result bdpt_scene_build(bdpt_builder* builder, const bdpt_build_desc* desc, bdpt_scene** scene) {
+  return guard(__func__, [&] {
+    reset_output(scene);
+    bdpt_builder& b = writable(builder);
+    const bdpt_build_desc d = read_build_desc(desc);
+    require(scene, "scene");
+    check_contents(b);
+    const Busy::Mark mark(b.busy);
+    const Ref<bdpt_cancel> cancel(d.cancel);  // the host's callbacks may release theirs
+    SceneDesc contents = Collector(b).collect();
+    const LightCount lights(contents);
+    auto object = std::make_unique<bdpt_scene>();
+    object->context = b.context;
+    object->lights = lights.all;
+    object->scene = build(*b.context, std::move(contents), d);
+    if (lights.shining == 0) b.context->log->warning("the scene has no light and renders black");
+    *scene = object.release();
+  });
+}
+
+void bdpt_scene_retain(bdpt_scene* scene) {
+  if (scene) scene->retain();
+}
+
+void bdpt_scene_release(bdpt_scene* scene) {
+  if (scene) scene->release();
+}
+
+bdpt_result bdpt_scene_get_info(const bdpt_scene* scene, bdpt_scene_info* info) {
+  return guard(__func__, [&] {
+    require(scene, "scene");
+    check_output_struct(info, "info");
+    const SceneInfo& from = scene->scene->info();
+    bdpt_scene_info result{};
+    result.lights = scene->lights;
+    result.instances = from.instances;
+    result.triangles = from.triangles;
+    result.spheres = from.spheres;
+    result.degenerate_triangles = from.degenerate;
+    result.memory = from.memory;
+    result.memory_embree = from.memory_embree;
+    result.hash = from.hash;
+    for (int axis = 0; axis < 3; ++axis) {
+      result.bounds_min[axis] = from.bounds_min[axis];
+      result.bounds_max[axis] = from.bounds_max[axis];
+    }
+    write_struct(result, info);
+  });
+}

@@ -1,0 +1,72 @@
+#include "api/builder.h"
+#include "api/check.h"
+#include "api/desc.h"
+#include "api/mesh_data.h"
+
+using namespace bdpt;
+
+namespace {
+
+Vec3 extent_of(const Mesh& mesh) {
+  Vec3 extent(0);
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3 p = mesh.positions[i];
+    for (int axis = 0; axis < 3; ++axis) extent[axis] = std::max(extent[axis], std::fabs(p[axis]));
+  }
+  return extent;
+}
+
+ShapeEntry read_sphere(const bdpt_sphere_desc& desc) {
+  const Subject subject("sphere", desc.label);
+  subject.check_reserved("reserved", desc.reserved);
+  subject.check_finite("center", desc.center, 3);
+  subject.check_finite("radius", desc.radius);
+  if (!(desc.radius > 0)) subject.refuse("radius", "is ", desc.radius, ": give a radius above 0");
+  ShapeEntry entry;
+  entry.shape.sphere = std::make_shared<const Sphere>(Sphere{subject.label(), to_vec3(desc.center), desc.radius});
+  for (int axis = 0; axis < 3; ++axis) entry.extent[axis] = std::fabs(desc.center[axis]) + desc.radius;
+  return entry;
+}
+
+void report_degenerate(const Log& log, const Mesh& mesh) {
+  if (mesh.degenerate == 0) return;
+  log.warning(Subject("mesh", mesh.label.c_str()).name(), ": ", mesh.degenerate, " of ",
+              mesh.degenerate + mesh.triangles.size(), " triangles have no area and were dropped");
+}
+
+}  // namespace
+
+bdpt_result bdpt_mesh_add(bdpt_builder* builder, const bdpt_mesh_desc* desc, bdpt_shape_id* shape) {
+  return guard(__func__, [&] {
+    MeshReleases releases(desc);
+    reset_output(shape);
+    bdpt_builder& b = writable(builder);
+    const bdpt_mesh_desc d = read_struct(desc, "desc");
+    require(shape, "shape");
+    ShapeEntry entry;
+    entry.shape.mesh = read_mesh(d, releases, b.context->meter);
+    entry.extent = extent_of(*entry.shape.mesh);
+    const std::shared_ptr<const Mesh> mesh = entry.shape.mesh;
+    shape->id = b.shapes.add(std::move(entry));
+    report_degenerate(*b.context->log, *mesh);
+  });
+}
+
+bdpt_result bdpt_sphere_add(bdpt_builder* builder, const bdpt_sphere_desc* desc, bdpt_shape_id* shape) {
+  return guard(__func__, [&] {
+    reset_output(shape);
+    bdpt_builder& b = writable(builder);
+    const bdpt_sphere_desc d = read_struct(desc, "desc");
+    require(shape, "shape");
+    shape->id = b.shapes.add(read_sphere(d));
+  });
+}
+
+bdpt_result bdpt_shape_remove(bdpt_builder* builder, bdpt_shape_id shape) {
+  return guard(__func__, [&] {
+    bdpt_builder& b = writable(builder);
+    const ShapeEntry& entry = b.shapes.at(shape.id, "shape");
+    check_unused(entry.users, "shape", entry.label(), "instance");
+    b.shapes.take(shape.id);
+  });
+}

@@ -1,0 +1,92 @@
+// Image calls: what they refuse. What they write is tested inside.
+#include "api_scene.h"
+#include "temp_folder.h"
+
+#include <functional>
+#include <limits>
+
+namespace bdpt_api {
+namespace {
+
+TEST(ApiImage, DisplayDescriptionsAreChecked) {
+  const auto try_display = [](const std::function<void(bdpt_display_desc&)>& change, uint32_t width = 1) {
+    bdpt_display_desc desc = make<bdpt_display_desc>();
+    change(desc);
+    float pixel[3] = {0.18f, 0.18f, 0.18f};
+    return bdpt_image_display(&desc, pixel, width, 1);
+  };
+  const auto refused = [&](const std::function<void(bdpt_display_desc&)>& change) {
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_display(change)) << bdpt_last_error();
+  };
+  EXPECT_OK(try_display([](auto&) {}));
+  refused([](auto& d) { d.view = 3; });
+  refused([](auto& d) { d.view = -1; });
+  refused([](auto& d) { d.exposure = std::numeric_limits<float>::quiet_NaN(); });
+  refused([](auto& d) { d.exposure = std::numeric_limits<float>::infinity(); });
+  refused([](auto& d) { d.reserved = 1; });
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_display([](auto&) {}, 0));
+  EXPECT_EQ(BDPT_ERROR_IO, try_display([](auto& d) { d.view = BDPT_VIEW_OCIO, d.config = "/no/such/config.ocio"; }));
+  float pixel[3] = {0, 1, 2};
+  EXPECT_OK(bdpt_image_display(nullptr, pixel, 1, 1));
+  EXPECT_EQ(0, pixel[0]);
+  EXPECT_NEAR(1, pixel[1], 1e-6);
+  EXPECT_NEAR(1, pixel[2], 1e-6);
+}
+
+TEST(ApiImage, ExrDescriptionsAreChecked) {
+  const bdpt::TempFolder folder;
+  const std::vector<float> pixels(2 * 2 * 3, 0.5f);
+  const bdpt_image_layer layers[2] = {{nullptr, pixels.data()}, {"light", pixels.data()}};
+  const auto try_exr = [&](const std::function<void(bdpt_exr_desc&)>& change) {
+    bdpt_exr_desc desc = make<bdpt_exr_desc>();
+    desc.width = desc.height = desc.layer_count = 2;
+    desc.layers = layers;
+    change(desc);
+    return bdpt_image_write_exr(folder.file("a.exr").c_str(), &desc);
+  };
+  const auto refused = [&](const std::function<void(bdpt_exr_desc&)>& change) {
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_exr(change)) << bdpt_last_error();
+  };
+  refused([](auto& d) { d.width = 0; });
+  refused([](auto& d) { d.height = 1 << 20; });
+  refused([](auto& d) { d.layer_count = 0; });
+  refused([](auto& d) { d.layer_count = ~0u; });
+  refused([](auto& d) { d.half = 2; });
+  refused([](auto& d) { d.layer_stride = 8; });
+  refused([](auto& d) { d.layer_stride = 17; });
+  const bdpt_image_layer twins[2] = {layers[1], layers[1]};
+  refused([&](auto& d) { d.layers = twins; });
+  EXPECT_EQ(0u, folder.count());
+  EXPECT_OK(try_exr([](auto&) {}));
+  EXPECT_EQ(1u, folder.count());
+}
+
+TEST(ApiImage, LayersMayBeOfALaterAndLongerKind) {
+  const bdpt::TempFolder folder;
+  const std::vector<float> pixels(3, 0.5f);
+  struct Longer {
+    bdpt_image_layer layer;
+    uint64_t more;
+  } const layers[2] = {{{nullptr, pixels.data()}, 1}, {{"light", pixels.data()}, 2}};
+  bdpt_exr_desc desc = make<bdpt_exr_desc>();
+  desc.width = desc.height = 1;
+  desc.layer_count = 2;
+  desc.layers = &layers[0].layer;
+  desc.layer_stride = sizeof(Longer);
+  EXPECT_OK(bdpt_image_write_exr(folder.file("a.exr").c_str(), &desc));
+}
+
+TEST(ApiImage, PngsAreChecked) {
+  const bdpt::TempFolder folder;
+  float pixels[3] = {0, 0.5f, 1};
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_image_write_png(folder.file("a.png").c_str(), pixels, 0, 1));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_image_write_png("", pixels, 1, 1));
+  EXPECT_EQ(BDPT_ERROR_IO, bdpt_image_write_png(folder.file("no/such/folder").c_str(), pixels, 1, 1));
+  EXPECT_OK(bdpt_image_write_png(folder.file("a.png").c_str(), pixels, 1, 1));
+  pixels[1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_image_write_png(folder.file("b.png").c_str(), pixels, 1, 1));
+  EXPECT_EQ(1u, folder.count());
+}
+
+}  // namespace
+}  // namespace bdpt_api

@@ -1,0 +1,177 @@
+// Every entry point, with NULL for what must be given.
+#include "api_scene.h"
+
+namespace bdpt_api {
+namespace {
+
+#define EXPECT_INVALID(call)                                                         \
+  do {                                                                               \
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, (call)) << #call;                         \
+    EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "NULL")) << bdpt_last_error(); \
+  } while (false)
+
+// A handle that must not stay as it is when the call fails.
+template <class T>
+T* dirty() {
+  return reinterpret_cast<T*>(uintptr_t(8));
+}
+
+TEST(ApiNull, ReleaseDestroyRetainAndCancelIgnoreIt) {
+  bdpt_context_retain(nullptr);
+  bdpt_context_release(nullptr);
+  bdpt_cancel_retain(nullptr);
+  bdpt_cancel_release(nullptr);
+  bdpt_cancel_request(nullptr);
+  bdpt_cancel_reset(nullptr);
+  EXPECT_EQ(0u, bdpt_cancel_is_requested(nullptr));
+  bdpt_builder_destroy(nullptr);
+  bdpt_scene_retain(nullptr);
+  bdpt_scene_release(nullptr);
+  bdpt_sensor_retain(nullptr);
+  bdpt_sensor_release(nullptr);
+  bdpt_film_retain(nullptr);
+  bdpt_film_release(nullptr);
+  bdpt_render_destroy(nullptr);
+}
+
+TEST(ApiNull, ContextAndCancelCallsRefuseIt) {
+  bdpt_context_info info = make<bdpt_context_info>();
+  const Context context = make_context();
+  EXPECT_INVALID(bdpt_context_create(BDPT_ABI, nullptr, nullptr));
+  EXPECT_INVALID(bdpt_context_get_info(nullptr, &info));
+  EXPECT_INVALID(bdpt_context_get_info(context.get(), nullptr));
+  EXPECT_INVALID(bdpt_cancel_create(nullptr));
+}
+
+TEST(ApiNull, BuilderCallsRefuseIt) {
+  const Context context = make_context();
+  const Builder builder = make_builder(context.get());
+  bdpt_builder* b = dirty<bdpt_builder>();
+  EXPECT_INVALID(bdpt_builder_create(nullptr, &b));
+  EXPECT_EQ(nullptr, b);
+  EXPECT_INVALID(bdpt_builder_create(context.get(), nullptr));
+
+  const bdpt_mesh_desc mesh = square_desc();
+  bdpt_sphere_desc sphere = make<bdpt_sphere_desc>();
+  sphere.radius = 1;
+  const uint8_t texel[3] = {};
+  bdpt_texture_desc texture = make<bdpt_texture_desc>();
+  texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;
+  const bdpt_material_desc material = grey_desc();
+  bdpt_light_desc light = make<bdpt_light_desc>();
+  const bdpt_instance_desc instance = instance_desc(add_square(builder.get()), add_grey(builder.get()));
+
+  const auto check = [&](auto add, const auto& desc, auto id) {
+    id.id = 7;
+    EXPECT_INVALID(add(nullptr, &desc, &id));
+    EXPECT_EQ(0u, id.id);
+    id.id = 7;
+    EXPECT_INVALID(add(builder.get(), nullptr, &id));
+    EXPECT_EQ(0u, id.id);
+    EXPECT_INVALID(add(builder.get(), &desc, nullptr));
+  };
+  check(bdpt_mesh_add, mesh, bdpt_shape_id{});
+  check(bdpt_sphere_add, sphere, bdpt_shape_id{});
+  check(bdpt_texture_add, texture, bdpt_texture_id{});
+  check(bdpt_material_add, material, bdpt_material_id{});
+  check(bdpt_light_add, light, bdpt_light_id{});
+  check(bdpt_instance_add, instance, bdpt_instance_id{});
+}
+
+TEST(ApiNull, UpdatesAndRemovalsRefuseIt) {
+  const Context context = make_context();
+  const Builder builder = make_builder(context.get());
+  const Contents contents(builder.get());
+  const bdpt_material_desc material = grey_desc();
+  const bdpt_light_desc light = make<bdpt_light_desc>();
+  const bdpt_instance_desc instance = instance_desc(contents.square, contents.grey);
+  EXPECT_INVALID(bdpt_shape_remove(nullptr, contents.square));
+  EXPECT_INVALID(bdpt_texture_remove(nullptr, {1}));
+  EXPECT_INVALID(bdpt_material_update(nullptr, contents.grey, &material));
+  EXPECT_INVALID(bdpt_material_update(builder.get(), contents.grey, nullptr));
+  EXPECT_INVALID(bdpt_material_remove(nullptr, contents.grey));
+  EXPECT_INVALID(bdpt_light_update(nullptr, {1}, &light));
+  EXPECT_INVALID(bdpt_light_update(builder.get(), {1}, nullptr));
+  EXPECT_INVALID(bdpt_light_remove(nullptr, {1}));
+  EXPECT_INVALID(bdpt_instance_update(nullptr, contents.floor, &instance));
+  EXPECT_INVALID(bdpt_instance_update(builder.get(), contents.floor, nullptr));
+  EXPECT_INVALID(bdpt_instance_remove(nullptr, contents.floor));
+}
+
+TEST(ApiNull, SceneSensorFilmAndRenderCallsRefuseIt) {
+  const World world;
+  bdpt_scene* scene = dirty<bdpt_scene>();
+  EXPECT_INVALID(bdpt_scene_build(nullptr, nullptr, &scene));
+  EXPECT_EQ(nullptr, scene);
+  EXPECT_INVALID(bdpt_scene_build(world.builder.get(), nullptr, nullptr));
+  bdpt_scene_info scene_info = make<bdpt_scene_info>();
+  EXPECT_INVALID(bdpt_scene_get_info(nullptr, &scene_info));
+  EXPECT_INVALID(bdpt_scene_get_info(world.scene.get(), nullptr));
+
+  const bdpt_camera_desc camera = camera_desc();
+  bdpt_sensor* sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_camera_create(nullptr, &camera, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_camera_create(world.context.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_camera_create(world.context.get(), &camera, nullptr));
+
+  bdpt_film* film = dirty<bdpt_film>();
+  EXPECT_INVALID(bdpt_film_create(nullptr, nullptr, &film));
+  EXPECT_EQ(nullptr, film);
+  EXPECT_INVALID(bdpt_film_create(world.sensor.get(), nullptr, nullptr));
+
+  bdpt_render* render = dirty<bdpt_render>();
+  EXPECT_INVALID(bdpt_render_create(nullptr, world.sensor.get(), world.film.get(), nullptr, &render));
+  EXPECT_EQ(nullptr, render);
+  EXPECT_INVALID(bdpt_render_create(world.scene.get(), nullptr, world.film.get(), nullptr, &render));
+  EXPECT_INVALID(bdpt_render_create(world.scene.get(), world.sensor.get(), nullptr, nullptr, &render));
+  EXPECT_INVALID(bdpt_render_create(world.scene.get(), world.sensor.get(), world.film.get(), nullptr, nullptr));
+
+  const Render good = world.render();
+  const bdpt_advance_desc one = passes(1);
+  bdpt_render_stats stats = make<bdpt_render_stats>();
+  EXPECT_INVALID(bdpt_render_advance(nullptr, &one, nullptr));
+  EXPECT_INVALID(bdpt_render_advance(good.get(), nullptr, nullptr));
+  EXPECT_INVALID(bdpt_render_get_stats(nullptr, &stats));
+  EXPECT_INVALID(bdpt_render_get_stats(good.get(), nullptr));
+}
+
+TEST(ApiNull, FilmDataCallsRefuseIt) {
+  const World world;
+  bdpt_film_info info = make<bdpt_film_info>();
+  EXPECT_INVALID(bdpt_film_get_info(nullptr, &info));
+  EXPECT_INVALID(bdpt_film_get_info(world.film.get(), nullptr));
+  const bdpt_read_desc read = make<bdpt_read_desc>();
+  float pixels[3] = {};
+  EXPECT_INVALID(bdpt_film_read(nullptr, &read, pixels, sizeof pixels));
+  EXPECT_INVALID(bdpt_film_read(world.film.get(), nullptr, pixels, sizeof pixels));
+  EXPECT_INVALID(bdpt_film_read(world.film.get(), &read, nullptr, 1 << 20));
+  EXPECT_INVALID(bdpt_film_clear(nullptr));
+  EXPECT_INVALID(bdpt_film_merge(nullptr, world.film.get()));
+  EXPECT_INVALID(bdpt_film_merge(world.film.get(), nullptr));
+  EXPECT_INVALID(bdpt_film_save(nullptr, "film"));
+  EXPECT_INVALID(bdpt_film_save(world.film.get(), nullptr));
+  bdpt_film* film = dirty<bdpt_film>();
+  EXPECT_INVALID(bdpt_film_load(nullptr, "film", &film));
+  EXPECT_EQ(nullptr, film);
+  EXPECT_INVALID(bdpt_film_load(world.context.get(), nullptr, &film));
+  EXPECT_INVALID(bdpt_film_load(world.context.get(), "film", nullptr));
+}
+
+TEST(ApiNull, ImageCallsRefuseIt) {
+  const float pixels[3] = {};
+  bdpt_exr_desc exr = make<bdpt_exr_desc>();
+  exr.width = exr.height = exr.layer_count = 1;
+  EXPECT_INVALID(bdpt_image_display(nullptr, nullptr, 1, 1));
+  EXPECT_INVALID(bdpt_image_write_exr(nullptr, &exr));
+  EXPECT_INVALID(bdpt_image_write_exr("image.exr", nullptr));
+  EXPECT_INVALID(bdpt_image_write_exr("image.exr", &exr));
+  const bdpt_image_layer layer{nullptr, nullptr};
+  exr.layers = &layer;
+  EXPECT_INVALID(bdpt_image_write_exr("image.exr", &exr));
+  EXPECT_INVALID(bdpt_image_write_png(nullptr, pixels, 1, 1));
+  EXPECT_INVALID(bdpt_image_write_png("image.png", nullptr, 1, 1));
+}
+
+}  // namespace
+}  // namespace bdpt_api

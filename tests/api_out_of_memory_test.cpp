@@ -1,0 +1,202 @@
+// Memory that runs out, at each allocation in turn: the call fails, nothing has changed, nothing is lost.
+#include "api_scene.h"
+
+#include <cstdlib>
+#include <functional>
+#include <new>
+
+namespace {
+
+// Allocations of this thread until one fails; none fails at zero.
+thread_local int allocations_left = 0;
+
+void* allocate(std::size_t size) {
+  if (allocations_left > 0 && --allocations_left == 0) throw std::bad_alloc();
+  if (void* memory = std::malloc(size ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// Of LeakSanitizer, where the test is built with it.
+extern "C" void __lsan_disable() __attribute__((weak));
+extern "C" void __lsan_enable() __attribute__((weak));
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace bdpt_api {
+namespace {
+
+// Embree loses memory of its own when an allocation of its own fails.
+struct EmbreeMayLeak {
+  EmbreeMayLeak() {
+    if (__lsan_disable) __lsan_disable();
+  }
+  ~EmbreeMayLeak() {
+    if (__lsan_enable) __lsan_enable();
+  }
+};
+
+// Lets the first, second, third ... allocation of the call fail until the call succeeds. Returns how many failed.
+int fail_each_allocation(const std::function<bdpt_result()>& call, bool any_error = false) {
+  for (int n = 1; n < 10000; ++n) {
+    allocations_left = n;
+    const bdpt_result result = call();
+    allocations_left = 0;
+    if (result == BDPT_OK) return n - 1;
+    EXPECT_LT(result, 0);
+    if (any_error) continue;
+    EXPECT_EQ(BDPT_ERROR_OUT_OF_MEMORY, result) << bdpt_last_error();
+    EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "memory"));
+  }
+  ADD_FAILURE() << "never succeeded";
+  return 0;
+}
+
+TEST(ApiOutOfMemory, ObjectsAreMadeWholeOrNotAtAll) {
+  const World world;
+  const uint64_t before = memory_in_use(world.context.get());
+  const bdpt_camera_desc camera = camera_desc();
+  bdpt_cancel* cancel = nullptr;
+  bdpt_builder* builder = nullptr;
+  bdpt_sensor* sensor = nullptr;
+  bdpt_film* film = nullptr;
+  bdpt_render* render = nullptr;
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_cancel_create(&cancel); }), 0);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_builder_create(world.context.get(), &builder); }), 0);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_camera_create(world.context.get(), &camera, &sensor); }), 0);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_film_create(world.sensor.get(), nullptr, &film); }), 0);
+  EXPECT_GT(fail_each_allocation(
+                [&] { return bdpt_render_create(world.scene.get(), world.sensor.get(), film, nullptr, &render); }),
+            0);
+  EXPECT_OK(advance(render, 1));
+  bdpt_render_destroy(render);
+  bdpt_film_release(film);
+  bdpt_sensor_release(sensor);
+  bdpt_builder_destroy(builder);
+  bdpt_cancel_release(cancel);
+  EXPECT_EQ(before, memory_in_use(world.context.get()));
+}
+
+TEST(ApiOutOfMemory, ABuilderStaysAsItWas) {
+  const World world;
+  bdpt_builder* b = world.builder.get();
+  const uint64_t before = scene_hash(world.scene.get()), memory = memory_in_use(world.context.get());
+  // Removed again, so that what a failure left behind would show.
+  int released = 0, calls = 0;
+  bdpt_mesh_desc mesh = square_desc();
+  mesh.positions.ownership = BDPT_OWNERSHIP_BORROW;
+  mesh.positions.user = &released;
+  mesh.positions.release = [](void* user, const void*) { ++*static_cast<int*>(user); };
+  bdpt_shape_id shape{};
+  EXPECT_GT(fail_each_allocation([&] {
+              ++calls;
+              return bdpt_mesh_add(b, &mesh, &shape);
+            }),
+            0);
+  EXPECT_EQ(calls - 1, released);
+  EXPECT_OK(bdpt_shape_remove(b, shape));
+  EXPECT_EQ(calls, released);
+
+  const uint8_t texel[3] = {1, 2, 3};
+  bdpt_texture_desc texture = make<bdpt_texture_desc>();
+  texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;
+  bdpt_texture_id texture_id{};
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_texture_add(b, &texture, &texture_id); }), 0);
+
+  bdpt_material_desc material = grey_desc();
+  material.label = "a label that is too long to be kept without an allocation";
+  material.reflectance_texture = texture_id;
+  bdpt_material_id material_id{};
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_material_add(b, &material, &material_id); }), 0);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_material_update(b, material_id, &material); }), 0);
+
+  bdpt_instance_desc instance = instance_desc(world.contents.square, material_id);
+  instance.label = material.label;
+  bdpt_instance_id instance_id{};
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_instance_add(b, &instance, &instance_id); }), 0);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_instance_update(b, instance_id, &instance); }), 0);
+
+  bdpt_light_desc light = make<bdpt_light_desc>();
+  light.label = material.label;
+  bdpt_light_id light_id{};
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_light_add(b, &light, &light_id); }), 0);
+
+  EXPECT_OK(bdpt_light_remove(b, light_id));
+  EXPECT_OK(bdpt_instance_remove(b, instance_id));
+  EXPECT_OK(bdpt_material_remove(b, material_id));
+  EXPECT_OK(bdpt_texture_remove(b, texture_id));
+  EXPECT_EQ(memory, memory_in_use(world.context.get()));
+  EXPECT_EQ(before, scene_hash(build(b).get()));
+}
+
+TEST(ApiOutOfMemory, ASceneIsBuiltWholeOrNotAtAll) {
+  bdpt_context_desc one_thread = make<bdpt_context_desc>();
+  one_thread.threads = 1;
+  const World world(&one_thread);
+  const uint64_t memory = memory_in_use(world.context.get());
+  const EmbreeMayLeak leak;
+  bdpt_scene* scene = nullptr;
+  EXPECT_GT(fail_each_allocation([&] {
+              const bdpt_result result = bdpt_scene_build(world.builder.get(), nullptr, &scene);
+              EXPECT_EQ(result == BDPT_OK, scene != nullptr);
+              return result;
+            }),
+            0);
+  EXPECT_EQ(scene_hash(world.scene.get()), scene_hash(scene));
+  bdpt_scene_release(scene);
+  EXPECT_EQ(memory, memory_in_use(world.context.get()));
+}
+
+TEST(ApiOutOfMemory, AnAdvanceThatFailedGoesOnAsIfItHadNot) {
+  bdpt_context_desc one_thread = make<bdpt_context_desc>();
+  one_thread.threads = 1;
+  const World world(&one_thread);
+  const Render whole = world.render();
+  ASSERT_OK(advance(whole.get(), 2));
+  const Film film = world.new_film();
+  const Render render = world.render(film.get());
+  fail_each_allocation([&] {
+    const uint64_t done = info_of(film.get()).passes;
+    return done < 2 ? advance(render.get(), 2 - done) : BDPT_OK;
+  });
+  EXPECT_EQ(pixels_of(world.film.get()), pixels_of(film.get()));
+}
+
+TEST(ApiOutOfMemory, AContextIsMadeWholeOrNotAtAllAndDropsOnce) {
+  struct Drops {
+    int executor = 0, log = 0;
+  } drops;
+  bdpt_executor executor = make<bdpt_executor>();
+  executor.worker_count = 1;
+  executor.run = [](void*, uint32_t n, void (*body)(void*, uint32_t), void* user) {
+    for (uint32_t i = 0; i < n; ++i) body(user, i);
+  };
+  executor.user = &drops.executor;
+  executor.drop = [](void* user) { ++*static_cast<int*>(user); };
+  bdpt_log log = make<bdpt_log>();
+  log.write = [](void*, bdpt_log_level, const char*) {};
+  log.user = &drops.log;
+  log.drop = executor.drop;
+  bdpt_context_desc desc = make<bdpt_context_desc>();
+  desc.executor = &executor;
+  desc.log = &log;
+  bdpt_context* context = nullptr;
+  const EmbreeMayLeak leak;
+  // Embree does not always say why it has no device to give.
+  const int failed = fail_each_allocation([&] { return bdpt_context_create(BDPT_ABI, &desc, &context); }, true);
+  EXPECT_GT(failed, 0);
+  EXPECT_EQ(failed, drops.executor);
+  EXPECT_EQ(failed, drops.log);
+  bdpt_context_release(context);
+  EXPECT_EQ(failed + 1, drops.executor);
+  EXPECT_EQ(failed + 1, drops.log);
+}
+
+}  // namespace
+}  // namespace bdpt_api

@@ -1,0 +1,152 @@
+// Renders: what is refused, and what advance() tells.
+#include "api_scene.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace bdpt_api {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+class ApiRender : public testing::Test {
+ protected:
+  World world_;
+};
+
+TEST_F(ApiRender, DescriptionsAreChecked) {
+  const auto try_render = [&](const std::function<void(bdpt_render_desc&)>& change) {
+    bdpt_render_desc desc = make<bdpt_render_desc>();
+    change(desc);
+    bdpt_render* render = nullptr;
+    const bdpt_result result =
+        bdpt_render_create(world_.scene.get(), world_.sensor.get(), world_.film.get(), &desc, &render);
+    EXPECT_EQ(result == BDPT_OK, render != nullptr);
+    bdpt_render_destroy(render);
+    return result;
+  };
+  const auto refused = [&](const std::function<void(bdpt_render_desc&)>& change) {
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_render(change)) << bdpt_last_error();
+  };
+  EXPECT_OK(try_render([](auto& d) { d.max_edges = 5, d.roulette_start = 1, d.block_size = 1; }));
+  EXPECT_OK(try_render([](auto& d) { d.max_edges = ~0u, d.roulette_start = ~0u, d.block_size = 65536; }));
+  refused([](auto& d) { d.heuristic = 6; });
+  refused([](auto& d) { d.heuristic = -1; });
+  refused([](auto& d) { d.beta = -1; });
+  refused([](auto& d) { d.beta = 65; });
+  refused([](auto& d) { d.beta = kNan; });
+  refused([](auto& d) { d.cutoff = 1.5f; });
+  refused([](auto& d) { d.cutoff = kNan; });
+  refused([](auto& d) { d.sampler = 3; });
+  refused([](auto& d) { d.strata = 257; });
+  refused([](auto& d) { d.light_start = 2; });
+  refused([](auto& d) { d.block_size = 65537; });
+  // Nothing that was refused holds the film.
+  EXPECT_NE(nullptr, world_.render());
+}
+
+TEST_F(ApiRender, WhatDoesNotFitIsRefused) {
+  bdpt_render* render = nullptr;
+  const Sensor other_size = make_camera(world_.context.get(), camera_desc(10, 10));
+  EXPECT_EQ(BDPT_ERROR_MISMATCH,
+            bdpt_render_create(world_.scene.get(), other_size.get(), world_.film.get(), nullptr, &render));
+  const World other;
+  EXPECT_EQ(BDPT_ERROR_MISMATCH,
+            bdpt_render_create(world_.scene.get(), other.sensor.get(), world_.film.get(), nullptr, &render));
+  {
+    const Render first = world_.render();
+    ASSERT_OK(advance(first.get(), 1));
+  }
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.seed = 1;
+  EXPECT_EQ(BDPT_ERROR_MISMATCH,
+            bdpt_render_create(world_.scene.get(), world_.sensor.get(), world_.film.get(), &desc, &render));
+  desc.seed = 0;
+  desc.max_edges = 3;
+  EXPECT_EQ(BDPT_ERROR_MISMATCH,
+            bdpt_render_create(world_.scene.get(), world_.sensor.get(), world_.film.get(), &desc, &render));
+  EXPECT_EQ(nullptr, render);
+  ASSERT_OK(bdpt_instance_remove(world_.builder.get(), world_.contents.thing));
+  const Scene changed = build(world_.builder.get());
+  EXPECT_EQ(BDPT_ERROR_MISMATCH,
+            bdpt_render_create(changed.get(), world_.sensor.get(), world_.film.get(), nullptr, &render));
+}
+
+TEST_F(ApiRender, AnAdvanceNeedsALimitThatItCanReach) {
+  const Render render = world_.render();
+  const auto refused = [&](const std::function<void(bdpt_advance_desc&)>& change, bdpt_render* r) {
+    bdpt_advance_desc desc = passes(1);
+    change(desc);
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_render_advance(r, &desc, nullptr)) << bdpt_last_error();
+  };
+  refused([](auto& d) { d.passes = 0; }, render.get());
+  refused([](auto& d) { d.seconds = -1; }, render.get());
+  refused([](auto& d) { d.seconds = std::numeric_limits<double>::infinity(); }, render.get());
+  refused([](auto& d) { d.noise = kNan; }, render.get());
+  refused([](auto& d) { d.reserved = 1; }, render.get());
+  const bdpt_output_sink empty = make<bdpt_output_sink>();
+  refused([&](auto& d) { d.sink = &empty; }, render.get());
+  EXPECT_EQ(0u, info_of(world_.film.get()).passes);
+  bdpt_film_desc one_group = make<bdpt_film_desc>();
+  one_group.groups = 1;
+  const Film film = make_film(world_.sensor.get(), &one_group);
+  const Render blind = world_.render(film.get());
+  refused([](auto& d) { d.noise = 0.1; }, blind.get());
+}
+
+TEST_F(ApiRender, EachLimitStopsAndTheReportSaysWhich) {
+  const Render render = world_.render();
+  bdpt_advance_report report = make<bdpt_advance_report>();
+  bdpt_advance_desc desc = passes(3);
+  ASSERT_OK(bdpt_render_advance(render.get(), &desc, &report));
+  EXPECT_EQ(BDPT_STOP_PASSES, report.reason);
+  EXPECT_EQ(3u, report.passes);
+  EXPECT_EQ(3u, report.next_pass);
+  EXPECT_GT(report.relative_error, 0);
+  EXPECT_EQ(report.relative_error, info_of(world_.film.get()).relative_error);
+  desc = passes(0);
+  desc.seconds = 1e-3;
+  ASSERT_OK(bdpt_render_advance(render.get(), &desc, &report));
+  EXPECT_EQ(BDPT_STOP_TIME, report.reason);
+  EXPECT_GE(report.passes, 1u);
+  desc.seconds = 0;
+  desc.noise = 1e6;
+  ASSERT_OK(bdpt_render_advance(render.get(), &desc, &report));
+  EXPECT_EQ(BDPT_STOP_NOISE, report.reason);
+  bdpt_render_stats stats = make<bdpt_render_stats>();
+  ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
+  EXPECT_EQ(info_of(world_.film.get()).passes, stats.passes);
+  EXPECT_EQ(stats.passes * 24 * 16, stats.samples);
+  EXPECT_GT(stats.eye_rays, 0u);
+  EXPECT_GT(stats.shadow_rays, 0u);
+  EXPECT_GT(stats.seconds, 0);
+}
+
+TEST_F(ApiRender, ThePictureIsNotBlack) {
+  const Render render = world_.render();
+  ASSERT_OK(advance(render.get(), 4));
+  double sum = 0;
+  for (const float v : pixels_of(world_.film.get())) {
+    ASSERT_TRUE(std::isfinite(v));
+    sum += v;
+  }
+  EXPECT_GT(sum, 1);
+}
+
+TEST_F(ApiRender, NeitherBlockSizeNorHowItIsCutIntoCallsChangesABit) {
+  const Render whole = world_.render();
+  ASSERT_OK(advance(whole.get(), 4));
+  const std::vector<float> expected = pixels_of(world_.film.get());
+  for (const uint32_t block_size : {1u, 7u, 65536u}) {
+    bdpt_render_desc desc = make<bdpt_render_desc>();
+    desc.block_size = block_size;
+    const Film film = world_.new_film();
+    const Render render = world_.render(film.get(), &desc);
+    for (int i = 0; i < 4; ++i) ASSERT_OK(advance(render.get(), 1));
+    EXPECT_EQ(expected, pixels_of(film.get())) << block_size;
+  }
+}
+
+}  // namespace
+}  // namespace bdpt_api

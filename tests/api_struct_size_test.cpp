@@ -1,0 +1,188 @@
+// Old callers, new callers, and callers that never set struct_size.
+#include "api_scene.h"
+#include "temp_folder.h"
+
+#include <cstdlib>
+#include <functional>
+
+namespace bdpt_api {
+namespace {
+
+// In a block of exactly this many bytes, so that a sanitizer sees what is read beyond it.
+template <class T>
+bdpt_result call_with(const T& valid, uint32_t block_size, uint32_t struct_size, unsigned char tail,
+                      const std::function<bdpt_result(T*)>& call) {
+  auto* block = static_cast<unsigned char*>(std::malloc(block_size));
+  std::memset(block, tail, block_size);
+  std::memcpy(block, &valid, std::min<size_t>(block_size, sizeof valid));
+  std::memcpy(block, &struct_size, sizeof struct_size);
+  const bdpt_result result = call(reinterpret_cast<T*>(block));
+  std::free(block);
+  return result;
+}
+
+template <class T>
+void check(const char* name, uint32_t version_1, const T& valid, const std::function<bdpt_result(T*)>& call) {
+  SCOPED_TRACE(name);
+  constexpr uint32_t own = sizeof(T);
+  EXPECT_OK(call_with<T>(valid, version_1, version_1, 0, call));
+  EXPECT_OK(call_with<T>(valid, own, own, 0, call));
+  EXPECT_OK(call_with<T>(valid, own + 16, own + 16, 0, call));
+  const auto refused = [&](uint32_t block, uint32_t size, unsigned char tail) {
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, call_with<T>(valid, block, size, tail, call)) << size;
+  };
+  refused(version_1, version_1 - 1, 0);
+  refused(own, 0, 0);
+  refused(own + 16, own + 16, 0xA5);
+  refused(own, 0xFFFFFFFFu, 0);
+  refused(own, 0x80000000u, 0);
+  EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "struct_size")) << bdpt_last_error();
+}
+
+TEST(ApiStructSize, ContextStructsAreReadBySize) {
+  const auto create = [](const bdpt_context_desc* desc) {
+    bdpt_context* context = nullptr;
+    const bdpt_result result = bdpt_context_create(BDPT_ABI, desc, &context);
+    EXPECT_EQ(result == BDPT_OK, context != nullptr);
+    bdpt_context_release(context);
+    return result;
+  };
+  check<bdpt_context_desc>("bdpt_context_desc", 40, make<bdpt_context_desc>(), create);
+  bdpt_executor executor = make<bdpt_executor>();
+  executor.worker_count = 1;
+  executor.run = [](void*, uint32_t n, void (*body)(void*, uint32_t), void* user) {
+    for (uint32_t i = 0; i < n; ++i) body(user, i);
+  };
+  check<bdpt_executor>("bdpt_executor", 32, executor, [&](bdpt_executor* e) {
+    bdpt_context_desc desc = make<bdpt_context_desc>();
+    desc.executor = e;
+    return create(&desc);
+  });
+  bdpt_log log = make<bdpt_log>();
+  log.write = [](void*, bdpt_log_level, const char*) {};
+  check<bdpt_log>("bdpt_log", 32, log, [&](bdpt_log* l) {
+    bdpt_context_desc desc = make<bdpt_context_desc>();
+    desc.log = l;
+    return create(&desc);
+  });
+  const Context context = make_context();
+  check<bdpt_context_info>("bdpt_context_info", 32, make<bdpt_context_info>(),
+                           [&](bdpt_context_info* info) { return bdpt_context_get_info(context.get(), info); });
+}
+
+TEST(ApiStructSize, BuilderStructsAreReadBySize) {
+  const Context context = make_context();
+  const Builder owner = make_builder(context.get());
+  bdpt_builder* b = owner.get();
+  const Contents contents(b);
+  bdpt_shape_id shape{};
+  check<bdpt_mesh_desc>("bdpt_mesh_desc", 296, square_desc(),
+                        [&](bdpt_mesh_desc* d) { return bdpt_mesh_add(b, d, &shape); });
+  bdpt_sphere_desc sphere = make<bdpt_sphere_desc>();
+  sphere.radius = 1;
+  check<bdpt_sphere_desc>("bdpt_sphere_desc", 32, sphere,
+                          [&](bdpt_sphere_desc* d) { return bdpt_sphere_add(b, d, &shape); });
+  const uint8_t texel[3] = {1, 2, 3};
+  bdpt_texture_desc texture = make<bdpt_texture_desc>();
+  texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;
+  bdpt_texture_id texture_id{};
+  check<bdpt_texture_desc>("bdpt_texture_desc", 48, texture,
+                           [&](bdpt_texture_desc* d) { return bdpt_texture_add(b, d, &texture_id); });
+  bdpt_material_id material{};
+  check<bdpt_material_desc>("bdpt_material_desc", 96, grey_desc(),
+                            [&](bdpt_material_desc* d) { return bdpt_material_add(b, d, &material); });
+  check<bdpt_material_desc>("bdpt_material_update", 96, grey_desc(),
+                            [&](bdpt_material_desc* d) { return bdpt_material_update(b, contents.grey, d); });
+  bdpt_light_id light{}, first_light{};
+  const bdpt_light_desc point = make<bdpt_light_desc>();
+  ASSERT_OK(bdpt_light_add(b, &point, &first_light));
+  check<bdpt_light_desc>("bdpt_light_desc", 72, point,
+                         [&](bdpt_light_desc* d) { return bdpt_light_add(b, d, &light); });
+  check<bdpt_light_desc>("bdpt_light_update", 72, point,
+                         [&](bdpt_light_desc* d) { return bdpt_light_update(b, first_light, d); });
+  bdpt_instance_id instance{};
+  const bdpt_instance_desc place = instance_desc(contents.square, contents.grey);
+  check<bdpt_instance_desc>("bdpt_instance_desc", 80, place,
+                            [&](bdpt_instance_desc* d) { return bdpt_instance_add(b, d, &instance); });
+  check<bdpt_instance_desc>("bdpt_instance_update", 80, place,
+                            [&](bdpt_instance_desc* d) { return bdpt_instance_update(b, contents.floor, d); });
+  check<bdpt_build_desc>("bdpt_build_desc", 32, make<bdpt_build_desc>(), [&](bdpt_build_desc* d) {
+    bdpt_scene* scene = nullptr;
+    const bdpt_result result = bdpt_scene_build(b, d, &scene);
+    bdpt_scene_release(scene);
+    return result;
+  });
+}
+
+TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
+  const World world;
+  check<bdpt_scene_info>("bdpt_scene_info", 88, make<bdpt_scene_info>(),
+                         [&](bdpt_scene_info* info) { return bdpt_scene_get_info(world.scene.get(), info); });
+  check<bdpt_camera_desc>("bdpt_camera_desc", 104, camera_desc(), [&](bdpt_camera_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_camera_create(world.context.get(), d, &sensor);
+    bdpt_sensor_release(sensor);
+    return result;
+  });
+  check<bdpt_film_desc>("bdpt_film_desc", 32, make<bdpt_film_desc>(), [&](bdpt_film_desc* d) {
+    bdpt_film* film = nullptr;
+    const bdpt_result result = bdpt_film_create(world.sensor.get(), d, &film);
+    bdpt_film_release(film);
+    return result;
+  });
+  check<bdpt_film_info>("bdpt_film_info", 96, make<bdpt_film_info>(),
+                        [&](bdpt_film_info* info) { return bdpt_film_get_info(world.film.get(), info); });
+  std::vector<float> pixels(24 * 16 * 3);
+  check<bdpt_read_desc>("bdpt_read_desc", 48, make<bdpt_read_desc>(), [&](bdpt_read_desc* d) {
+    return bdpt_film_read(world.film.get(), d, pixels.data(), pixels.size() * sizeof(float));
+  });
+}
+
+TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
+  const World world;
+  check<bdpt_render_desc>("bdpt_render_desc", 184, make<bdpt_render_desc>(), [&](bdpt_render_desc* d) {
+    bdpt_render* render = nullptr;
+    const bdpt_result result = bdpt_render_create(world.scene.get(), world.sensor.get(), world.film.get(), d, &render);
+    bdpt_render_destroy(render);
+    return result;
+  });
+  const Render render = world.render();
+  check<bdpt_advance_desc>("bdpt_advance_desc", 64, passes(1),
+                           [&](bdpt_advance_desc* d) { return bdpt_render_advance(render.get(), d, nullptr); });
+  bdpt_advance_desc one = passes(1);
+  check<bdpt_advance_report>("bdpt_advance_report", 40, make<bdpt_advance_report>(),
+                             [&](bdpt_advance_report* r) { return bdpt_render_advance(render.get(), &one, r); });
+  bdpt_output_sink sink = make<bdpt_output_sink>();
+  sink.tile = [](void*, uint32_t, uint32_t, uint32_t, uint32_t, const float*) { return int32_t(0); };
+  check<bdpt_output_sink>("bdpt_output_sink", 40, sink, [&](bdpt_output_sink* s) {
+    one.sink = s;
+    return bdpt_render_advance(render.get(), &one, nullptr);
+  });
+  check<bdpt_render_stats>("bdpt_render_stats", 128, make<bdpt_render_stats>(),
+                           [&](bdpt_render_stats* s) { return bdpt_render_get_stats(render.get(), s); });
+  float pixel[3] = {0.5f, 0.5f, 0.5f};
+  check<bdpt_display_desc>("bdpt_display_desc", 48, make<bdpt_display_desc>(),
+                           [&](bdpt_display_desc* d) { return bdpt_image_display(d, pixel, 1, 1); });
+  const bdpt::TempFolder folder;
+  const bdpt_image_layer layer{nullptr, pixel};
+  bdpt_exr_desc exr = make<bdpt_exr_desc>();
+  exr.width = exr.height = exr.layer_count = 1, exr.layers = &layer;
+  check<bdpt_exr_desc>("bdpt_exr_desc", 32, exr,
+                       [&](bdpt_exr_desc* d) { return bdpt_image_write_exr(folder.file("a.exr").c_str(), d); });
+}
+
+TEST(ApiStructSize, AnOutputStructIsWrittenOnlyAsFarAsItReaches) {
+  const Context context = make_context();
+  struct {
+    bdpt_context_info info;
+    uint64_t behind;
+  } block{make<bdpt_context_info>(), 0};
+  block.info.struct_size = sizeof block;
+  EXPECT_OK(bdpt_context_get_info(context.get(), &block.info));
+  EXPECT_EQ(sizeof block, block.info.struct_size);
+  EXPECT_EQ(0u, block.behind);
+  EXPECT_EQ(2u, block.info.threads);
+}
+
+}  // namespace
+}  // namespace bdpt_api

@@ -1,0 +1,189 @@
+// Lights: the densities they tell are those they sample with.
+#include "scenes.h"
+#include "statistics.h"
+
+#include <gtest/gtest.h>
+
+namespace bdpt {
+namespace {
+
+using statistics::deviation;
+using statistics::Estimate;
+using statistics::kMaxDeviation;
+using statistics::Uniform;
+
+// One of each kind.
+std::shared_ptr<const Scene> all_lights() {
+  scenes::Builder b;
+  b.add(scenes::quad(Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)), scenes::emitter(Rgb(1, 2, 1)));
+  b.add(scenes::disk(Vec3(0, 2, 0), Vec3(0, -1, 0), 0.5f, 9), scenes::emitter(Rgb(2), true));
+  b.add_sphere(Vec3(2, 0, 1), 0.5f, scenes::emitter(Rgb(3)));
+  b.add_sphere(Vec3(-2, 0, 1), 0.7f, scenes::emitter(Rgb(1), true));
+  b.point(Vec3(0, 1, 2), Rgb(2));
+  b.spot(Vec3(1, 1, 2), Vec3(-1, -1, 0), Rgb(5), 50, 30);
+  b.environment(Rgb(0.5f));
+  return b.build();
+}
+
+const Vec3 kPlaces[] = {Vec3(0.3f, 0.4f, 0.7f), Vec3(2.1f, 0.1f, 1.2f), Vec3(-2, 0, 1), Vec3(2, 0, 3), Vec3(0.1f, 0.2f, -3)};
+
+TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
+  const auto scene = all_lights();
+  const Lights& lights = scene->lights();
+  Uniform uniform(1);
+  std::vector<int> seen(lights.count());
+  for (const bool evenly : {false, true})
+    for (int i = 0; i < 20000; ++i) {
+      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      LightStart start;
+      ASSERT_TRUE(lights.start(u, v, evenly, start));
+      ++seen[size_t(start.y0.light)];
+      EXPECT_FLOAT_EQ(start.density_position, lights.position_density(start.y0, evenly));
+      EXPECT_FLOAT_EQ(start.density_direction, lights.direction_density(start.y0, start.direction));
+      EXPECT_NEAR(length(start.direction), 1, 1e-5);
+      const Rgb radiance = start.y0.infinite ? lights.environment_radiance() : lights.emitted(start.y0, start.direction);
+      const double expected = double(radiance.g) / (double(start.density_position) * start.density_direction);
+      EXPECT_NEAR(start.weight.g, expected, 1e-5 * expected);
+    }
+  for (int n : seen) EXPECT_GT(n, 100);
+}
+
+// alpha_2 has the mean of the power, whatever the choice of lights: sums of what leaves all lights.
+TEST(LightDensity, StartsCarryThePower) {
+  const auto scene = all_lights();
+  const Lights& lights = scene->lights();
+  const double disk = 9 * 0.5 * std::sin(2 * M_PI / 9) * (0.25 * (2 * M_PI / 9) / std::sin(2 * M_PI / 9));
+  // The spot's falloff by quadrature.
+  double spot = 0;
+  const double outer = std::cos(50 * M_PI / 180), inner = std::cos(30 * M_PI / 180);
+  for (int i = 0; i < 10000; ++i) {
+    const double t = std::clamp((1 - (1 - outer) * (i + 0.5) / 10000 - outer) / (inner - outer), 0.0, 1.0);
+    spot += t * t * (3 - 2 * t) * 2 * M_PI * (1 - outer) / 10000;
+  }
+  const Vec3 size = scene->info().bounds_max - scene->info().bounds_min;
+  const double r2 = 0.25 * double(length_squared(size));
+  const double expected[] = {1 * M_PI * 2, 2 * M_PI * disk * 2, 3 * M_PI * 4 * M_PI * 0.25, M_PI * 4 * M_PI * 0.49 * 2,
+                             2 * 4 * M_PI, 5 * spot, 0.5 * 4 * M_PI * M_PI * r2};
+  for (const bool evenly : {false, true}) {
+    Uniform uniform(2);
+    std::vector<Estimate> power(lights.count());
+    for (int i = 0; i < 200000; ++i) {
+      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      LightStart start;
+      ASSERT_TRUE(lights.start(u, v, evenly, start));
+      for (size_t k = 0; k < power.size(); ++k) power[k].add(int(k) == start.y0.light ? double(start.weight.r) : 0);
+    }
+    for (size_t k = 0; k < power.size(); ++k)
+      EXPECT_LT(deviation(power[k], expected[k], 1e-4 * expected[k]), kMaxDeviation + 0.5) << "light " << k;
+  }
+}
+
+TEST(LightDensity, OfDirectLightingIsThatOfItsPoint) {
+  const auto scene = all_lights();
+  const Lights& lights = scene->lights();
+  Uniform uniform(3);
+  for (const Vec3& x : kPlaces)
+    for (int i = 0; i < 5000; ++i) {
+      const float u[3] = {uniform(), uniform(), uniform()};
+      DirectLight direct;
+      if (!lights.sample_direct(x, u, direct)) continue;
+      EXPECT_FLOAT_EQ(direct.density, lights.direct_density(direct.y0, x));
+      EXPECT_NEAR(length(direct.direction), 1, 1e-5);
+      EXPECT_FALSE(is_black(direct.radiance));
+      if (direct.y0.infinite) continue;
+      EXPECT_NEAR(length(x + direct.direction * direct.distance - direct.y0.p), 0, 1e-4 * direct.distance);
+      const Rgb emitted = lights.emitted(direct.y0, -direct.direction);
+      EXPECT_EQ(emitted.g, direct.radiance.g);
+    }
+}
+
+// The integral over all lights of P_A^d is one, those parts apart that cannot be chosen; by points that lie evenly on
+// each light, as light subpaths start.
+TEST(LightDensity, OfDirectLightingIntegratesToOne) {
+  const auto scene = all_lights();
+  const Lights& lights = scene->lights();
+  for (const Vec3& x : kPlaces) {
+    Uniform uniform(4);
+    Estimate integral;
+    for (int i = 0; i < 200000; ++i) {
+      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      LightStart start;
+      ASSERT_TRUE(lights.start(u, v, true, start));
+      integral.add(lights.direct_density(start.y0, x) / start.density_position);
+    }
+    EXPECT_LT(deviation(integral, 1, 1e-4), kMaxDeviation) << x.x << ' ' << x.y << ' ' << x.z;
+  }
+}
+
+// What direct lighting samples with that density: the mean of 1 / density over a light is its area.
+TEST(LightDensity, OfDirectLightingIsWhatItSamples) {
+  const float radius = 0.5f;
+  scenes::Builder b;
+  b.add_sphere(Vec3(0), radius, scenes::emitter(Rgb(1), true));
+  const auto scene = b.build();
+  const Lights& lights = scene->lights();
+  for (float distance : {0.0f, 0.3f, 0.5001f, 0.6f, 2.0f, 50.0f}) {
+    const Vec3 x(0, distance, 0);
+    // The cap that is seen in four zones of equal area, by the cosine from its centre; within, the whole sphere.
+    const double least = distance > radius ? radius / double(distance) : -1.0;
+    Uniform uniform(5);
+    Estimate zone[4];
+    for (int i = 0; i < 100000; ++i) {
+      const float u[3] = {uniform(), uniform(), uniform()};
+      DirectLight direct;
+      if (!lights.sample_direct(x, u, direct)) continue;
+      const double place = (direct.y0.normal.y - least) / (1 - least);
+      const int k = std::clamp(int(place * 4), 0, 3);
+      EXPECT_GT(place, -1e-2);
+      for (int j = 0; j < 4; ++j) zone[j].add(j == k ? 1 / double(direct.density) : 0);
+    }
+    const double area = 2 * M_PI * double(radius) * radius * (1 - least) / 4;
+    // Rounding at the rim matters where the cap's cosine hardly changes.
+    for (int j = 1; j < 4; ++j)
+      EXPECT_LT(deviation(zone[j], area, 2e-3 * area), kMaxDeviation + 0.5) << "distance " << distance << ", zone " << j;
+  }
+}
+
+TEST(LightDensity, SpotFallsOffSmoothlyBetweenItsCones) {
+  scenes::Builder b;
+  b.spot(Vec3(0), Vec3(0, 0, -1), Rgb(4), 40, 20);
+  const auto scene = b.build();
+  LightPoint y0;
+  y0.light = 0;
+  const auto at = [&](double degrees) {
+    const double a = degrees * M_PI / 180;
+    return scene->lights().emitted(y0, Vec3(float(std::sin(a)), 0, -float(std::cos(a)))).r;
+  };
+  EXPECT_EQ(at(0), 4);
+  EXPECT_EQ(at(19.9), 4);
+  EXPECT_EQ(at(40.1), 0);
+  EXPECT_EQ(at(180), 0);
+  const double outer = std::cos(40 * M_PI / 180), inner = std::cos(20 * M_PI / 180);
+  for (double degrees : {22.0, 30.0, 38.0}) {
+    const double t = (std::cos(degrees * M_PI / 180) - outer) / (inner - outer);
+    EXPECT_NEAR(at(degrees), 4 * t * t * (3 - 2 * t), 1e-4) << degrees;
+  }
+}
+
+TEST(LightDensity, TransformedMeshesShineFromTheirFrontOverTheirTrueArea) {
+  for (float turn : {1.0f, -1.0f}) {  // a reflection keeps the front the image of the front
+    scenes::Builder b;
+    Transform t;
+    t.m[0] = turn * 2, t.m[5] = 3, t.m[11] = 1;
+    b.add(scenes::quad(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)), scenes::emitter(Rgb(1)), t);
+    const auto scene = b.build();
+    Uniform uniform(6);
+    for (int i = 0; i < 100; ++i) {
+      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      LightStart start;
+      ASSERT_TRUE(scene->lights().start(u, v, false, start));
+      EXPECT_NEAR(start.density_position, 1 / 6.0, 1e-6);
+      EXPECT_NEAR(start.y0.normal.z, 1, 1e-6) << turn;
+      EXPECT_GT(start.direction.z, 0);
+      EXPECT_NEAR(start.y0.p.z, 1, 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bdpt

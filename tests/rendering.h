@@ -1,0 +1,179 @@
+// Rendering for tests: films by pass, block means over independent seeds, and what it takes to compare them.
+#pragma once
+
+#include "render/render.h"
+#include "scenes.h"
+#include "statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace bdpt::rendering {
+
+using statistics::Estimate;
+
+// --- Techniques and options ---
+
+inline TechniqueMask mask_of(const std::function<bool(int s, int t)>& allows) {
+  TechniqueMask mask;
+  for (int s = 0; s < 32; ++s)
+    for (int t = 0; t < 32; ++t)
+      if (!allows(s, t)) mask.rows[size_t(s)] &= ~(1u << t);
+  return mask;
+}
+inline TechniqueMask only(int s0, int t0) {
+  return mask_of([=](int s, int t) { return s == s0 && t == t0; });
+}
+
+// Independent numbers: the errors of two renders are then those of independent samples.
+inline TransportOptions options_for(const TechniqueMask& mask = {}, int max_edges = 0) {
+  TransportOptions o;
+  o.techniques = mask;
+  o.max_edges = max_edges;
+  o.sampler = SamplerType::Independent;
+  return o;
+}
+
+// A box of one pixel, normalised by the number of samples: unbiased.
+inline FilmDesc film_desc(int width, int height, int pyramid_edges = 0) {
+  FilmDesc d;
+  d.width = width, d.height = height;
+  d.normalize_by_weights = false;
+  d.groups = 1;
+  d.pyramid_edges = pyramid_edges;
+  return d;
+}
+
+// --- Renders ---
+
+using ScenePointer = std::shared_ptr<const Scene>;
+using SensorPointer = std::shared_ptr<const Sensor>;
+
+inline std::shared_ptr<Executor> threads(uint32_t n = 2) {
+  static std::map<uint32_t, std::shared_ptr<Executor>> pools;
+  std::shared_ptr<Executor>& pool = pools[n];
+  if (!pool) pool = make_pool(n);
+  return pool;
+}
+
+struct Picture {
+  std::shared_ptr<Film> film;
+  TransportStats stats;
+};
+
+inline Picture render(const ScenePointer& scene, const SensorPointer& sensor, const FilmDesc& film,
+                      const RenderDesc& desc, uint64_t passes) {
+  Picture picture{std::make_shared<Film>(film, nullptr), {}};
+  Render render(scene, sensor, picture.film, threads(), nullptr, desc);
+  AdvanceDesc advance;
+  advance.passes = passes;
+  render.advance(advance);
+  picture.stats = render.stats();
+  return picture;
+}
+
+inline Picture render(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options,
+                      uint64_t passes, uint64_t seed) {
+  RenderDesc desc;
+  desc.transport = options;
+  desc.seed = seed;
+  return render(scene, sensor, film_desc(sensor->width(), sensor->height()), desc, passes);
+}
+
+inline std::vector<float> read(const Film& film, FilmLayer layer = FilmLayer::Color, int s = 0, int t = 0) {
+  const int width = film.desc().width, height = film.desc().height;
+  std::vector<float> pixels(size_t(width) * size_t(height) * 3);
+  film.read(layer, s, t, {0, 0, width, height}, false, pixels.data(), size_t(width) * 3);
+  return pixels;
+}
+
+inline double grey(const float* rgb) { return (double(rgb[0]) + rgb[1] + rgb[2]) / 3; }
+
+inline double mean_of(const Film& film) {
+  const std::vector<float> pixels = read(film);
+  double sum = 0;
+  for (float v : pixels) sum += v;
+  return sum / double(pixels.size());
+}
+
+// --- Block means over independent seeds ---
+
+// The picture's squares of `side` pixels in grey, the three channels of the whole, and the whole: one estimate each.
+struct BlockMeans {
+  std::vector<Estimate> values;
+  uint64_t rejected = 0;
+
+  void add(const Film& film, int side) {
+    const int width = film.desc().width, height = film.desc().height, columns = width / side;
+    const std::vector<float> pixels = read(film);
+    std::vector<double> sums(size_t(columns * (height / side)) + 4);
+    const double block = double(side) * side, all = double(width) * height;
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float* p = &pixels[3 * (size_t(y) * size_t(width) + size_t(x))];
+        sums[size_t(y / side * columns + x / side)] += grey(p) / block;
+        for (size_t c = 0; c < 3; ++c) sums[sums.size() - 4 + c] += p[c] / all;
+        sums.back() += grey(p) / all;
+      }
+    values.resize(sums.size());
+    for (size_t i = 0; i < sums.size(); ++i) values[i].add(sums[i]);
+    rejected += film.rejected();
+  }
+  const Estimate& whole() const { return values.back(); }
+};
+
+struct Effort {
+  int seeds = 32;
+  uint64_t passes = 4;
+  uint64_t first_seed = 1;
+  int side = 8;
+};
+
+inline BlockMeans block_means(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options,
+                              const Effort& effort) {
+  BlockMeans means;
+  for (int i = 0; i < effort.seeds; ++i) {
+    const Picture p = render(scene, sensor, options, effort.passes, effort.first_seed * 1000 + uint64_t(i));
+    means.add(*p.film, effort.side);
+    means.rejected += p.stats.rejected;
+  }
+  return means;
+}
+
+// Student's t with these degrees of freedom as a deviation of a normal distribution (Wallace 1959).
+inline double normal_deviation(double t, double degrees) {
+  return (8 * degrees + 1) / (8 * degrees + 3) * std::sqrt(degrees * std::log1p(t * t / degrees));
+}
+
+// The chance that two estimates of one value, or an estimate and the value, differ by more.
+inline double chance(const Estimate& a, const Estimate& b) {
+  const double va = a.variance() / double(a.count()), vb = b.variance() / double(b.count());
+  if (a.mean() == b.mean()) return 1;
+  if (!(va + vb > 0)) return 0;
+  const double degrees = (va + vb) * (va + vb) / (va * va / double(a.count() - 1) + vb * vb / double(b.count() - 1));
+  return 2 * statistics::normal_tail(normal_deviation((a.mean() - b.mean()) / std::sqrt(va + vb), degrees));
+}
+inline double chance(const Estimate& a, double value, double tolerance = 0) {
+  const double t = statistics::deviation(a, value, tolerance);
+  return 2 * statistics::normal_tail(normal_deviation(t, double(a.count() - 1)));
+}
+
+// Bonferroni: each of all comparisons of a family must be as likely as kSignificance over their number.
+inline void expect_same(const BlockMeans& a, const BlockMeans& b, size_t family, const std::string& what) {
+  ASSERT_EQ(a.values.size(), b.values.size());
+  const double limit = statistics::kSignificance / double(family * a.values.size());
+  for (size_t i = 0; i < a.values.size(); ++i)
+    EXPECT_GT(chance(a.values[i], b.values[i]), limit)
+        << what << ", value " << i << " of " << a.values.size() << ": " << a.values[i].mean() << " +- "
+        << a.values[i].standard_error() << " and " << b.values[i].mean() << " +- " << b.values[i].standard_error();
+  EXPECT_EQ(a.rejected + b.rejected, 0u) << what;
+}
+
+inline void expect_value(const Estimate& a, double value, size_t family, const std::string& what, double tolerance = 0) {
+  EXPECT_GT(chance(a, value, tolerance), statistics::kSignificance / double(family))
+      << what << ": " << a.mean() << " +- " << a.standard_error() << " should be " << value;
+}
+
+}  // namespace bdpt::rendering

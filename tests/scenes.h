@@ -1,0 +1,305 @@
+// Small scenes, built in code. A Builder collects shapes with their materials; build() makes the immutable scene.
+#pragma once
+
+#include "sampling/hash.h"
+#include "scene/scene.h"
+#include "sensor/camera.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bdpt::scenes {
+
+// One for all tests of a program.
+inline std::shared_ptr<const RayDevice> device() {
+  static const auto device = std::make_shared<const RayDevice>(Isa::Best, std::make_shared<MemoryMeter>(0));
+  return device;
+}
+
+// --- Materials ---
+
+inline Material diffuse(const Rgb& reflectance) {
+  Material m;
+  m.reflectance = reflectance;
+  return m;
+}
+inline Material diffuse(float reflectance) { return diffuse(Rgb(reflectance)); }
+
+inline Material emitter(const Rgb& radiance, bool two_sided = false, float reflectance = 0) {
+  Material m = diffuse(reflectance);
+  m.emission = radiance;
+  m.emission_two_sided = two_sided;
+  return m;
+}
+
+inline Material mirror(float reflectance = 1) {
+  Material m = diffuse(reflectance);
+  m.type = MaterialType::Mirror;
+  return m;
+}
+
+inline Material conductor(float alpha_u, float alpha_v) {
+  Material m;
+  m.type = MaterialType::Conductor;
+  m.eta = Rgb(0.14f, 0.38f, 1.44f);
+  m.k = Rgb(3.98f, 2.40f, 1.60f);
+  m.alpha_u = alpha_u, m.alpha_v = alpha_v;
+  return m;
+}
+
+inline Material dielectric(float ior, float alpha = 0) {
+  Material m;
+  m.type = MaterialType::Dielectric;
+  m.ior = ior;
+  m.alpha_u = m.alpha_v = alpha;
+  return m;
+}
+
+// --- Meshes ---
+
+struct MeshData {
+  std::vector<Vec3> positions, normals;
+  std::vector<Triangle> triangles;
+
+  // Front where a, b, c, d turn counter-clockwise.
+  void add_quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const auto first = uint32_t(positions.size());
+    for (const Vec3& p : {a, b, c, d}) positions.push_back(p);
+    triangles.push_back({first, first + 1, first + 2});
+    triangles.push_back({first, first + 2, first + 3});
+  }
+};
+
+inline MeshData quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  MeshData m;
+  m.add_quad(a, b, c, d);
+  return m;
+}
+
+// The six sides of a box, bit i of `sides`: -x, +x, -y, +y, -z, +z; fronts look inward if `inward`.
+inline MeshData box(const Vec3& low, const Vec3& high, bool inward, unsigned sides = 63) {
+  MeshData m;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side) {
+      if (!(sides >> (2 * axis + side) & 1)) continue;
+      Vec3 corner[4];
+      for (int i = 0; i < 4; ++i) {
+        corner[i][axis] = (side ? high : low)[axis];
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        corner[i][u] = (i == 1 || i == 2 ? high : low)[u];  // counter-clockwise seen from +axis
+        corner[i][v] = (i >= 2 ? high : low)[v];
+      }
+      if ((side == 1) != inward)
+        m.add_quad(corner[0], corner[1], corner[2], corner[3]);
+      else
+        m.add_quad(corner[0], corner[3], corner[2], corner[1]);
+    }
+  return m;
+}
+
+// A fan of n triangles of the area of a disk round center, its front toward the unit vector n.
+inline MeshData disk(const Vec3& center, const Vec3& n, float radius, int count) {
+  MeshData m;
+  const Frame frame(n);
+  const double sector = 2 * M_PI / count, reach = radius * std::sqrt(sector / std::sin(sector));
+  m.positions.push_back(center);
+  for (int i = 0; i < count; ++i)
+    m.positions.push_back(center + (frame.t * float(std::cos(i * sector)) + frame.b * float(std::sin(i * sector))) *
+                                       float(reach));
+  for (int i = 0; i < count; ++i) m.triangles.push_back({0, uint32_t(i + 1), uint32_t((i + 1) % count + 1)});
+  return m;
+}
+
+// A tessellated sphere; with normals of the sphere itself where smooth.
+inline MeshData ball(const Vec3& center, float radius, int rows, bool smooth) {
+  MeshData m;
+  const int columns = 2 * rows;
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const double theta = M_PI * i / rows, phi = 2 * M_PI * j / columns;
+      const Vec3 n(float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)), float(std::sin(theta) * std::sin(phi)));
+      m.positions.push_back(center + n * radius);
+      if (smooth) m.normals.push_back(n);
+    }
+  const auto at = [&](int i, int j) { return uint32_t(i * columns + j % columns); };
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      if (i > 0) m.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j)});
+      if (i + 1 < rows) m.triangles.push_back({at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
+    }
+  return m;
+}
+
+inline std::shared_ptr<const Mesh> make_mesh(const MeshData& data) {
+  const auto own = std::make_shared<MeshData>(data);
+  auto mesh = std::make_shared<Mesh>();
+  own->positions.resize(data.positions.size() + 2);  // padded, as Embree reads 16 bytes past the last
+  mesh->positions = View<Vec3>(own->positions.data(), data.positions.size(), sizeof(Vec3));
+  mesh->positions_padded = true;
+  mesh->triangles = View<Triangle>(own->triangles.data(), own->triangles.size(), sizeof(Triangle));
+  mesh->normals = View<Vec3>(own->normals.data(), own->normals.size(), sizeof(Vec3));
+  mesh->content_hash = hash_bytes(own->positions.data(), data.positions.size() * sizeof(Vec3));
+  mesh->keepers.push_back(own);
+  return mesh;
+}
+
+// --- Scenes ---
+
+class Builder {
+ public:
+  explicit Builder(float scale = 1) : scale_(scale) {}
+
+  Builder& add(MeshData data, const Material& material, const Transform& transform = {}) {
+    for (Vec3& p : data.positions) p *= scale_;
+    return add({make_mesh(data), nullptr}, material, transform);
+  }
+  Builder& add_sphere(const Vec3& center, float radius, const Material& material) {
+    Sphere sphere;
+    sphere.center = center * scale_;
+    sphere.radius = radius * scale_;
+    return add({nullptr, std::make_shared<const Sphere>(sphere)}, material, {});
+  }
+  Builder& add(const Shape& shape, const Material& material, const Transform& transform) {
+    desc_.shapes.push_back(shape);
+    desc_.materials.push_back(material);
+    return add_instance(int(desc_.shapes.size()) - 1, int(desc_.materials.size()) - 1, transform);
+  }
+  Builder& add_instance(int shape, int material, const Transform& transform) {
+    InstanceDesc instance;
+    instance.shape = shape;
+    instance.material = material;
+    instance.transform = transform;
+    desc_.instances.push_back(instance);
+    return *this;
+  }
+  Builder& point(const Vec3& position, const Rgb& intensity) {
+    LightDesc l;
+    l.position = position * scale_;
+    l.intensity = intensity * (scale_ * scale_);
+    desc_.lights.push_back(l);
+    return *this;
+  }
+  Builder& spot(const Vec3& position, const Vec3& direction, const Rgb& intensity, double outer, double inner) {
+    point(position, intensity);
+    LightDesc& l = desc_.lights.back();
+    l.type = LightType::Spot;
+    l.direction = unit(direction);
+    l.cos_outer = float(std::cos(outer * M_PI / 180));
+    l.cos_inner = float(std::cos(inner * M_PI / 180));
+    return *this;
+  }
+  Builder& environment(const Rgb& radiance) {
+    LightDesc l;
+    l.type = LightType::Environment;
+    l.radiance = radiance;
+    desc_.lights.push_back(l);
+    return *this;
+  }
+  std::shared_ptr<const Scene> build() const {
+    return std::make_shared<const Scene>(desc_, device(), std::make_shared<MemoryMeter>(0), nullptr);
+  }
+
+ private:
+  float scale_;
+  SceneDesc desc_;
+};
+
+// --- Cameras ---
+
+struct Viewpoint {
+  Vec3 from, to;
+  float field_of_view = 60;
+  float lens_radius = 0, focus = 1;
+  int blades = 0;
+  float rotation = 0;
+};
+
+inline CameraDesc camera_desc(const Viewpoint& view, int width, int height, float scale = 1) {
+  CameraDesc d;
+  d.width = width, d.height = height;
+  d.crop[2] = width, d.crop[3] = height;
+  d.field_of_view = view.field_of_view;
+  d.lens_radius = view.lens_radius * scale;
+  d.focus_distance = view.focus * scale;
+  d.aperture_blades = view.blades;
+  d.aperture_rotation = view.rotation;
+  const Vec3 back = unit(view.from - view.to);
+  const Vec3 right = unit(cross(std::fabs(back.y) > 0.9f ? Vec3(0, 0, -1) : Vec3(0, 1, 0), back));
+  const Vec3 up = cross(back, right), from = view.from * scale;
+  for (int row = 0; row < 3; ++row) {
+    d.transform.m[4 * row] = right[row];
+    d.transform.m[4 * row + 1] = up[row];
+    d.transform.m[4 * row + 2] = back[row];
+    d.transform.m[4 * row + 3] = from[row];
+  }
+  return d;
+}
+
+inline std::shared_ptr<const Camera> camera(const Viewpoint& view, int width, int height, float scale = 1) {
+  return std::make_shared<const Camera>(camera_desc(view, width, height, scale));
+}
+
+// --- A room, 2 x 2 x 2 round the origin ---
+
+enum class Contents { Diffuse, Glossy, Specular };
+
+struct RoomOptions {
+  Contents contents = Contents::Diffuse;
+  bool points = false;       // a point and a spot light, out of the pictures
+  bool environment = false;  // through a hole in the ceiling, which no camera inside sees
+  float scale = 1;
+};
+
+inline Builder room(const RoomOptions& options) {
+  Builder b(options.scale);
+  const Vec3 low(-1), high(1);
+  b.add(box(low, high, true, 1), diffuse(Rgb(0.7f, 0.2f, 0.15f)));
+  b.add(box(low, high, true, 2), diffuse(Rgb(0.2f, 0.6f, 0.2f)));
+  b.add(box(low, high, true, 4 | 16 | 32), diffuse(0.6f));
+  MeshData ceiling = quad(Vec3(-1, 1, -1), Vec3(1, 1, -1), Vec3(1, 1, 0.4f), Vec3(-1, 1, 0.4f));
+  if (!options.environment) ceiling.add_quad(Vec3(-1, 1, 0.4f), Vec3(1, 1, 0.4f), Vec3(1, 1, 1), Vec3(-1, 1, 1));
+  b.add(ceiling, diffuse(0.6f));
+  // One-sided under the ceiling, two-sided standing at a wall, and a sphere: all within sight.
+  b.add(quad(Vec3(-0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, 0.1f), Vec3(-0.4f, 0.9f, 0.1f)),
+        emitter(Rgb(4, 3.5f, 3)));
+  b.add(quad(Vec3(-0.8f, -0.2f, -0.9f), Vec3(-0.8f, -0.2f, -0.5f), Vec3(-0.5f, 0.4f, -0.5f), Vec3(-0.5f, 0.4f, -0.9f)),
+        emitter(Rgb(1, 1.5f, 2), true, 0.4f));
+  b.add_sphere(Vec3(0.65f, 0.35f, -0.5f), 0.15f, emitter(Rgb(3, 2, 1), false, 0.3f));
+  const Vec3 left(-0.4f, -0.6f, -0.2f), right(0.4f, -0.65f, 0.1f), middle(0, -0.2f, -0.6f);
+  switch (options.contents) {
+    case Contents::Diffuse:
+      b.add(ball(left, 0.4f, 4, true), diffuse(Rgb(0.8f, 0.8f, 0.5f)));
+      b.add(ball(right, 0.35f, 3, true), diffuse(Rgb(0.4f, 0.5f, 0.8f)));
+      b.add(box(middle - Vec3(0.2f), middle + Vec3(0.2f), false), diffuse(0.5f));
+      break;
+    case Contents::Glossy:
+      b.add(ball(left, 0.4f, 5, true), conductor(0.35f, 0.35f));
+      b.add_sphere(right, 0.35f, dielectric(1.5f, 0.4f));
+      b.add(ball(middle, 0.25f, 5, true), conductor(0.3f, 0.6f));
+      break;
+    case Contents::Specular:
+      b.add_sphere(left, 0.4f, dielectric(1.5f));
+      b.add_sphere(right, 0.35f, mirror(0.9f));
+      b.add(ball(middle, 0.25f, 4, true), conductor(0.4f, 0.4f));
+      break;
+  }
+  if (options.points) {
+    b.point(Vec3(0.5f, 0.5f, 0.97f), Rgb(0.3f, 0.3f, 0.4f));
+    b.spot(Vec3(-0.6f, 0.7f, 0.5f), Vec3(0.5f, -1, -0.3f), Rgb(1.5f, 1, 1), 40, 25);
+  }
+  if (options.environment) b.environment(Rgb(1.5f, 1.5f, 2));
+  return b;
+}
+
+inline Viewpoint room_view() { return {Vec3(0.1f, 0, 0.95f), Vec3(0, -0.15f, -0.5f), 75}; }
+inline Viewpoint room_view_through_lens() {
+  Viewpoint view = room_view();
+  view.lens_radius = 0.1f;
+  view.focus = 1.2f;
+  return view;
+}
+
+}  // namespace bdpt::scenes

@@ -1,0 +1,98 @@
+# The program as its users meet it: exit codes, one line for an error, merge and resume to the bit, Ctrl-C.
+# SPDX-License-Identifier: Apache-2.0
+set -u
+[ -x "${BDPT_TOOL:-}" ] || { echo "BDPT_TOOL is not set"; exit 77; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# expect CODE PATTERN ARGUMENTS...: the exit code, and one line on stderr that matches (none for an empty pattern).
+expect() {
+  local code=$1 pattern=$2
+  shift 2
+  "$BDPT_TOOL" "$@" >stdout.txt 2>stderr.txt
+  local got=$?
+  [ $got -eq "$code" ] || fail "bdpt $*: exit code $got, not $code: $(cat stderr.txt)"
+  if [ -z "$pattern" ]; then
+    [ ! -s stderr.txt ] || fail "bdpt $*: $(cat stderr.txt)"
+  else
+    [ "$(wc -l <stderr.txt)" -eq 1 ] || fail "bdpt $*: not one line: $(cat stderr.txt)"
+    grep -qE -- "$pattern" stderr.txt || fail "bdpt $*: '$(cat stderr.txt)' does not match '$pattern'"
+  fi
+}
+
+cat >box.pbrt <<'SCENE'
+Integrator "path" "integer maxdepth" 4
+LookAt 0 0 5  0 0 0  0 1 0
+Film "rgb" "integer xresolution" 32 "integer yresolution" 24
+Camera "perspective" "float fov" 40
+WorldBegin
+AttributeBegin
+  AreaLightSource "diffuse" "rgb L" [5 5 5]
+  Translate 0 2 0
+  Shape "sphere" "float radius" .3
+AttributeEnd
+Material "diffuse" "rgb reflectance" [.8 .5 .2]
+Shape "trianglemesh" "point3 P" [-3 -1 -3  3 -1 -3  3 -1 3  -3 -1 3] "integer indices" [0 2 1 0 3 2]
+Shape "sphere" "float radius" .7
+SCENE
+printf 'Camera "perspective"\nWorldBegin\nShape "torus"\n' >torus.pbrt
+
+expect 0 '' --version
+expect 0 '' render --help
+expect 2 '^bdpt: .*subcommand'
+expect 2 '^bdpt: .*--output' render box.pbrt
+expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --spp 0
+expect 2 '^bdpt: .*must end in .exr' render box.pbrt -o a.png
+expect 2 '^bdpt: .*--techniques' render box.pbrt -o a.exr --techniques 's<'
+expect 2 '^bdpt: --passes' render box.pbrt -o a.exr --passes 4:4
+expect 3 "^bdpt: torus.pbrt:3: .*'torus' is not known" render torus.pbrt -o a.exr
+expect 3 '^bdpt: .*no.pbrt' render no.pbrt -o a.exr
+expect 4 '^bdpt: --output: there is no folder' render box.pbrt -o no/a.exr
+
+# A picture of passes 0:4 is the same to the bit when made at once, merged, or resumed.
+expect 0 '' render box.pbrt -o full.exr --spp 4 --film full.film --json
+grep -q '"relative_error"' stdout.txt || fail "no JSON"
+expect 0 '' render box.pbrt -o a.exr --passes 0:2 --film a.film
+expect 0 '' render box.pbrt -o b.exr --passes 2:4 --film b.film
+expect 0 '' merge b.film a.film -o sum.film
+expect 0 '' resolve sum.film -o sum.exr --png sum.png
+cmp -s full.exr sum.exr || fail "the merged picture differs"
+expect 0 '' render box.pbrt -o resumed.exr --spp 4 --film a.film --resume
+cmp -s full.exr resumed.exr || fail "the resumed picture differs"
+expect 5 '^bdpt: ' merge a.film b.film -o never.film
+expect 5 '^bdpt: ' render box.pbrt -o x.exr --spp 8 --film a.film --resume --seed 1
+expect 3 '^bdpt: full.exr: ' merge full.exr a.film -o never.film
+[ ! -e never.film ] || fail "a failed merge left a file"
+
+expect 0 '' compare full.exr sum.film --json --diff diff.png
+grep -q '"mse": 0,' stdout.txt || fail "equal pictures differ: $(cat stdout.txt)"
+expect 0 '' render box.pbrt -o small.exr --spp 1 --width 16 --height 12
+expect 5 '^bdpt: .*of one size' compare full.exr small.exr
+
+expect 0 '' info box.pbrt
+grep -q 'spheres *2' stdout.txt || fail "info: $(cat stdout.txt)"
+
+expect 0 '' render box.pbrt -o p.exr --spp 1 --max-edges 2 --pyramid pyramid
+for name in s0t2 s1t1 s0t3 s1t2 s2t1; do
+  [ -s pyramid/$name.exr ] && [ -s pyramid/$name.png ] || fail "the pyramid has no $name"
+done
+[ -s pyramid/pyramid.png ] || fail "the pyramid has no sheet"
+
+# Ctrl-C writes what is finished.
+"$BDPT_TOOL" render box.pbrt -o cut.exr --film cut.film --spp 100000000 2>stderr.txt &
+job=$!
+sleep 1
+kill -INT $job
+wait $job
+code=$?
+[ $code -eq 130 ] || fail "interrupted: exit code $code, not 130"
+[ -s cut.exr ] && [ -s cut.film ] || fail "interrupted: nothing written"
+
+[ $failures -eq 0 ]

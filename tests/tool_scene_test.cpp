@@ -1,0 +1,369 @@
+// The scene reader of the program: what pbrt-v4 text comes to, and that errors name file and line.
+//
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "pbrt/scene_reader.h"
+#include "pbrt/transform.h"
+#include "scene_upload.h"
+#include "temp_folder.h"
+
+namespace bdpt_tool {
+namespace {
+
+const char kTriangle[] = "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\n";
+
+class ToolScene : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_.file(name)) << text; }
+
+  SceneDescription read(const std::string& text) {
+    write("scene.pbrt", text);
+    return read_pbrt_scene(folder_.file("scene.pbrt"), diagnostics_);
+  }
+  SceneDescription read_world(const std::string& text) { return read("Camera \"perspective\"\nWorldBegin\n" + text); }
+
+  // The message without the folder.
+  std::string error_of(const std::string& text) {
+    try {
+      read(text);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::kInput);
+      std::string message = error.what();
+      const std::string prefix = folder_.path().string() + "/";
+      if (message.starts_with(prefix)) message.erase(0, prefix.size());
+      return message;
+    }
+    return "no error";
+  }
+  std::string world_error_of(const std::string& text) {
+    return error_of("Camera \"perspective\"\nWorldBegin\n" + text);
+  }
+
+  void expect_prefix(const std::string& text, const std::string& prefix) {
+    EXPECT_TRUE(text.starts_with(prefix)) << text;
+  }
+
+  bdpt::TempFolder folder_;
+  Diagnostics diagnostics_{false};
+};
+
+Vec3 transformed(const std::array<float, 12>& m, const Vec3& p, double w) {
+  Vec3 result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2] + m[4 * i + 3] * w;
+  return result;
+}
+
+void expect_near(const Vec3& a, const Vec3& b) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-5) << i;
+}
+
+TEST_F(ToolScene, TransformListsColumnsAndReplaces) {
+  const SceneDescription scene =
+      read_world(std::string("Scale 9 9 9\nTransform [1 0 0 0 0 1 0 0 0 0 1 0 5 6 7 1]\n") + kTriangle);
+  expect_near(transformed(scene.instances[0].transform, {1, 2, 3}, 1), {6, 8, 10});
+}
+
+TEST_F(ToolScene, TransformsApplyFromTheLastToTheFirst) {
+  const SceneDescription scene = read_world(std::string("Translate 1 0 0\nRotate 90 0 0 1\nScale 2 2 2\n") + kTriangle);
+  expect_near(transformed(scene.instances[0].transform, {1, 0, 0}, 1), {1, 2, 0});
+}
+
+TEST_F(ToolScene, AttributeBlocksRestoreEverythingTransformBlocksTheTransform) {
+  const SceneDescription scene =
+      read_world(std::string("AttributeBegin\nTranslate 1 0 0\nMaterial \"conductor\"\nAttributeEnd\nTransformBegin\n"
+                             "Translate 2 0 0\nMaterial \"dielectric\"\nTransformEnd\n") +
+                 kTriangle);
+  EXPECT_EQ(scene.instances[0].transform[3], 0);
+  EXPECT_EQ(scene.materials[0].type, BDPT_MATERIAL_DIELECTRIC);
+}
+
+TEST_F(ToolScene, LookAtPutsTheTargetInFrontOfTheCameraWithoutMirroring) {
+  const SceneDescription scene =
+      read("LookAt 1 2 3  1 2 8  0 1 0\nCamera \"perspective\"\nWorldBegin\n" + std::string(kTriangle));
+  const auto& m = scene.camera.transform;
+  expect_near(transformed(m, {0, 0, 0}, 1), {1, 2, 3});
+  expect_near(transformed(m, {0, 0, -1}, 0), {0, 0, 1});  // the library's camera looks along -z
+  expect_near(transformed(m, {1, 0, 0}, 0), {1, 0, 0});   // pbrt: right is up x forward
+  expect_near(transformed(m, {0, 1, 0}, 0), {0, 1, 0});
+}
+
+TEST_F(ToolScene, FieldOfViewIsThatOfTheShorterAxis) {
+  const SceneDescription scene = read("Camera \"perspective\" \"float fov\" 60\nWorldBegin\n" + std::string(kTriangle));
+  EXPECT_NEAR(camera_desc(scene, 200, 100, diagnostics_).field_of_view, 60, 1e-4);
+  const double tangent = 2 * std::tan(30 * M_PI / 180);
+  EXPECT_NEAR(camera_desc(scene, 100, 200, diagnostics_).field_of_view, 2 * std::atan(tangent) * 180 / M_PI, 1e-4);
+}
+
+TEST_F(ToolScene, ScreenWindowMovesTheFrame) {
+  const SceneDescription scene =
+      read("Camera \"perspective\" \"float screenwindow\" [0 1 -1 0]\nWorldBegin\n" + std::string(kTriangle));
+  const bdpt_camera_desc camera = camera_desc(scene, 100, 100, diagnostics_);
+  EXPECT_FLOAT_EQ(camera.shift[0], 0.5f);
+  EXPECT_FLOAT_EQ(camera.shift[1], -0.5f);
+  EXPECT_NEAR(camera.field_of_view, 2 * std::atan(0.5) * 180 / M_PI, 1e-4);
+  EXPECT_THROW(camera_desc(scene, 200, 100, diagnostics_), Error);
+}
+
+TEST_F(ToolScene, LensIsMeasuredInCameraUnits) {
+  const SceneDescription scene =
+      read("Scale 2 2 2\nCamera \"perspective\" \"float lensradius\" 1 \"float focaldistance\" 6\nWorldBegin\n" +
+           std::string(kTriangle));
+  EXPECT_FLOAT_EQ(scene.camera.lens_radius, 0.5f);
+  EXPECT_FLOAT_EQ(scene.camera.focus_distance, 3);
+}
+
+TEST_F(ToolScene, CropWindowRoundsUpAsPbrt) {
+  const SceneDescription scene = read(
+      "Film \"rgb\" \"integer xresolution\" 10 \"integer yresolution\" 10 \"float cropwindow\" [.11 .5 0 1]\n"
+      "Camera \"perspective\"\nWorldBegin\n" +
+      std::string(kTriangle));
+  const bdpt_camera_desc camera = camera_desc(scene, 10, 10, diagnostics_);
+  EXPECT_EQ(camera.crop[0], 2u);
+  EXPECT_EQ(camera.crop[2], 5u);
+  EXPECT_EQ(camera.crop[3], 10u);
+}
+
+TEST_F(ToolScene, PathsMayHaveOneEdgeMoreThanMaxdepth) {
+  EXPECT_EQ(
+      read("Integrator \"path\" \"integer maxdepth\" 7\nCamera \"perspective\"\nWorldBegin\n" + std::string(kTriangle))
+          .max_edges,
+      8u);
+  EXPECT_EQ(read_world(kTriangle).max_edges, 6u);
+}
+
+TEST_F(ToolScene, RoughnessIsRemappedBySquareRootUnlessToldNot) {
+  const SceneDescription scene = read_world(
+      std::string("Material \"conductor\" \"float roughness\" .25\n") + kTriangle +
+      "Material \"conductor\" \"float roughness\" .25 \"bool remaproughness\" false\n" + kTriangle +
+      "Material \"conductor\" \"float uroughness\" .25 \"float vroughness\" 0 \"bool remaproughness\" [false]\n" +
+      kTriangle + "Material \"dielectric\" \"float roughness\" .0001 \"bool remaproughness\" false\n" + kTriangle);
+  EXPECT_FLOAT_EQ(scene.materials[0].roughness[0], 0.5f);
+  EXPECT_FLOAT_EQ(scene.materials[1].roughness[1], 0.25f);
+  EXPECT_FLOAT_EQ(scene.materials[2].roughness[1], 1e-4f);  // one axis cannot be smooth alone
+  EXPECT_EQ(scene.materials[3].roughness[0], 0);            // smooth to pbrt
+}
+
+TEST_F(ToolScene, ConductorsComeByIndexByNameOrByReflectance) {
+  const SceneDescription scene = read_world(
+      std::string("Material \"conductor\" \"rgb eta\" [1 2 3] \"rgb k\" [4 5 6]\n") + kTriangle +
+      "Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\"\n" + kTriangle +
+      "Material \"conductor\" \"rgb reflectance\" [.5 .5 .5]\n" + kTriangle + "Material \"conductor\"\n" + kTriangle);
+  EXPECT_EQ(scene.materials[0].k, (Rgb{4, 5, 6}));
+  EXPECT_NEAR(scene.materials[1].eta[2], 1.4425f, 1e-3f);
+  const float k = scene.materials[2].k[0];  // R = k² / (4 + k²) for eta = 1
+  EXPECT_NEAR(k * k / (4 + k * k), 0.5f, 1e-5f);
+  EXPECT_NEAR(scene.materials[3].eta[0], 0.2004f, 1e-3f);
+}
+
+TEST_F(ToolScene, MaterialsMayBeNamedBeforeTheyAreMade) {
+  const SceneDescription scene =
+      read_world(std::string("NamedMaterial \"a\"\n") + kTriangle +
+                 "MakeNamedMaterial \"a\" \"string type\" \"dielectric\" \"float eta\" 1.3\n");
+  EXPECT_FLOAT_EQ(scene.materials[0].ior, 1.3f);
+}
+
+TEST_F(ToolScene, UnknownMaterialsAreAnErrorOnlyWhereTheyAreUsed) {
+  const std::string make = "MakeNamedMaterial \"a\" \"string type\" \"coateddiffuse\"\n";
+  EXPECT_EQ(read_world(make + kTriangle).materials.size(), 1u);
+  expect_prefix(world_error_of(make + "NamedMaterial \"a\"\n" + kTriangle),
+                "scene.pbrt:3: MakeNamedMaterial \"a\": the material type 'coateddiffuse'");
+  expect_prefix(world_error_of("NamedMaterial \"b\"\n" + std::string(kTriangle)),
+                "scene.pbrt:4: there is no material 'b'");
+}
+
+TEST_F(ToolScene, AreaLightsGiveTheirScaledRadianceToTheShapesInTheirBlock) {
+  const SceneDescription scene = read_world(
+      std::string(
+          "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [1 2 3] \"float scale\" 2 \"bool twosided\" true\n") +
+      kTriangle + "AttributeEnd\n" + kTriangle);
+  EXPECT_EQ(scene.materials[0].emission, (Rgb{2, 4, 6}));
+  EXPECT_TRUE(scene.materials[0].emission_two_sided);
+  EXPECT_FALSE(scene.materials[1].emits());
+}
+
+TEST_F(ToolScene, SpotsStandInWorldSpace) {
+  const SceneDescription scene = read_world(
+      "Translate 0 0 1\nScale 2 2 2\nLightSource \"spot\" \"point3 from\" [0 1 0] \"point3 to\" [0 0 0] "
+      "\"rgb I\" [1 1 1] \"float coneangle\" 20\n");
+  expect_near({scene.lights[0].position[0], scene.lights[0].position[1], scene.lights[0].position[2]}, {0, 2, 1});
+  expect_near({scene.lights[0].direction[0], scene.lights[0].direction[1], scene.lights[0].direction[2]}, {0, -1, 0});
+  EXPECT_FLOAT_EQ(scene.lights[0].cone_angle, 20);
+  EXPECT_FLOAT_EQ(scene.lights[0].cone_falloff, 5);
+}
+
+TEST_F(ToolScene, InfiniteLightsAddUpToOne) {
+  const SceneDescription scene = read_world(
+      "LightSource \"infinite\" \"rgb L\" [1 1 1]\nLightSource \"point\"\nLightSource \"infinite\" \"rgb L\" [1 2 "
+      "3]\n");
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[0].value, (Rgb{2, 3, 4}));
+}
+
+TEST_F(ToolScene, ReverseOrientationTurnsWindingOrNormals) {
+  const SceneDescription scene =
+      read_world(std::string("ReverseOrientation\n") + kTriangle +
+                 "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"normal N\" [0 0 1 0 0 1 0 0 1]\n");
+  EXPECT_EQ(std::get<TriangleMesh>(scene.shapes[0].geometry).indices, (std::vector<std::uint32_t>{0, 2, 1}));
+  EXPECT_EQ(std::get<TriangleMesh>(scene.shapes[1].geometry).indices, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(std::get<TriangleMesh>(scene.shapes[1].geometry).normals[2], -1);
+}
+
+TEST_F(ToolScene, ATurnedGlassSphereHasTheInverseIndex) {
+  const SceneDescription scene =
+      read_world("Material \"dielectric\" \"float eta\" 2\nShape \"sphere\"\nReverseOrientation\nShape \"sphere\"\n");
+  EXPECT_FLOAT_EQ(scene.materials[0].ior, 2);
+  EXPECT_FLOAT_EQ(scene.materials[1].ior, 0.5f);
+}
+
+TEST_F(ToolScene, AMeshFileUsedTwiceIsReadOnce) {
+  write("m.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2\n");
+  const SceneDescription scene = read_world(
+      "Shape \"plymesh\" \"string filename\" \"m.ply\"\nTranslate 1 0 0\nShape \"plymesh\" \"string filename\" "
+      "[\"./m.ply\"]\n");
+  EXPECT_EQ(scene.shapes.size(), 1u);
+  EXPECT_EQ(scene.instances.size(), 2u);
+}
+
+TEST_F(ToolScene, ObjectsAreInstancedUnderBothTransforms) {
+  const SceneDescription scene =
+      read_world(std::string("ObjectBegin \"o\"\nTranslate 1 0 0\n") + kTriangle +
+                 "ObjectEnd\nScale 2 2 2\nObjectInstance \"o\"\nTranslate 0 0 1\nObjectInstance \"o\"\n");
+  ASSERT_EQ(scene.instances.size(), 2u);
+  expect_near(transformed(scene.instances[0].transform, {0, 0, 0}, 1), {2, 0, 0});
+  expect_near(transformed(scene.instances[1].transform, {0, 0, 0}, 1), {2, 0, 2});
+}
+
+TEST_F(ToolScene, IncludesKeepTheirStateImportsDoNot) {
+  write("part.pbrt", "Translate 1 0 0\n");
+  EXPECT_EQ(read_world("Include \"part.pbrt\"\n" + std::string(kTriangle)).instances[0].transform[3], 1);
+  EXPECT_EQ(read_world("Import \"part.pbrt\"\n" + std::string(kTriangle)).instances[0].transform[3], 0);
+}
+
+TEST_F(ToolScene, ErrorsInIncludedFilesNameThem) {
+  write("part.pbrt", "\n\nNonsense\n");
+  expect_prefix(world_error_of("Include \"part.pbrt\"\n"), "part.pbrt:3: unknown directive 'Nonsense'");
+}
+
+TEST_F(ToolScene, AFileThatIncludesItselfIsAnError) {
+  EXPECT_NE(world_error_of("Include \"scene.pbrt\"\n").find("WorldBegin"), std::string::npos);
+  write("loop.pbrt", "Include \"loop.pbrt\"\n");
+  EXPECT_NE(world_error_of("Include \"loop.pbrt\"\n").find("include each other"), std::string::npos);
+}
+
+TEST_F(ToolScene, UnbalancedBlocksAreAnErrorWithTheirLine) {
+  expect_prefix(world_error_of("AttributeEnd\n"), "scene.pbrt:3: AttributeEnd without AttributeBegin");
+  expect_prefix(world_error_of("\nAttributeBegin\n" + std::string(kTriangle)),
+                "scene.pbrt:4: AttributeBegin is never closed");
+  expect_prefix(world_error_of("AttributeBegin\nTransformEnd\n"),
+                "scene.pbrt:4: TransformEnd closes the AttributeBegin of line 3");
+}
+
+TEST_F(ToolScene, BrokenSyntaxIsAnErrorWithItsLine) {
+  expect_prefix(world_error_of("Shape \"sphere\n"), "scene.pbrt:3: this string does not end");
+  expect_prefix(world_error_of("Shape \"sphere\" \"float radius\" [1\n"), "scene.pbrt:3: the values of 'radius'");
+  expect_prefix(world_error_of("Shape \"sphere\" \"radius\" 1\n"),
+                "scene.pbrt:3: Shape \"sphere\": expected a parameter");
+  expect_prefix(world_error_of("Shape \"sphere\" \"float radius\" one\n"),
+                "scene.pbrt:3: expected a number, found 'one'");
+  expect_prefix(world_error_of("Translate 1 2\n"), "scene.pbrt:3: Translate: expected a number");
+  expect_prefix(world_error_of("]\n"), "scene.pbrt:3: unknown directive");
+  expect_prefix(error_of("Translate 1 2 3\n"), "scene.pbrt:1: there is no WorldBegin");
+}
+
+TEST_F(ToolScene, WrongValuesAreAnErrorWithTheirLine) {
+  expect_prefix(world_error_of("Shape \"sphere\"\n\"float radius\" [1 2]\n"),
+                "scene.pbrt:4: Shape \"sphere\": 'radius' has 2 values");
+  expect_prefix(world_error_of("Shape \"sphere\" \"integer radius\" 1\n"),
+                "scene.pbrt:3: Shape \"sphere\": 'radius' is of type integer");
+  expect_prefix(world_error_of("Shape \"sphere\" \"float radius\" nan\n"),
+                "scene.pbrt:3: Shape \"sphere\": 'radius' has a value that is not finite");
+  expect_prefix(world_error_of("Shape \"sphere\" \"float zmin\" 0\n"),
+                "scene.pbrt:3: Shape \"sphere\": only whole spheres");
+  expect_prefix(world_error_of("Scale 1 2 1\nShape \"sphere\"\n"), "scene.pbrt:4: this transform makes an ellipsoid");
+  expect_prefix(world_error_of("Scale 0 1 1\n"), "scene.pbrt:3: Scale");
+  expect_prefix(world_error_of("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 3]\n"),
+                "scene.pbrt:3: Shape \"trianglemesh\": vertex 3 does not exist");
+  expect_prefix(world_error_of("Shape \"cylinder\"\n"),
+                "scene.pbrt:3: Shape \"cylinder\": the shape 'cylinder' is not known");
+  expect_prefix(world_error_of("LightSource \"distant\"\n"), "scene.pbrt:3: LightSource \"distant\"");
+  expect_prefix(world_error_of("AreaLightSource \"diffuse\" \"float power\" 1\n"),
+                "scene.pbrt:3: AreaLightSource \"diffuse\": 'power'");
+  expect_prefix(world_error_of("LightSource \"point\" \"blackbody I\" 6500\n"),
+                "scene.pbrt:3: LightSource \"point\": 'I' is a spectrum");
+}
+
+TEST_F(ToolScene, MissingFilesAreAnErrorAtTheirMention) {
+  expect_prefix(world_error_of("Shape \"plymesh\"\n  \"string filename\" \"no.ply\"\n"), "scene.pbrt:4: cannot read");
+  expect_prefix(world_error_of("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"no.png\"\n"
+                               "Material \"diffuse\" \"texture reflectance\" \"t\"\n" +
+                               std::string(kTriangle)),
+                "scene.pbrt:3: cannot read");
+}
+
+TEST_F(ToolScene, UnknownParametersAreAWarningWithTheirLine) {
+  read_world("Shape \"sphere\"\n  \"float colour\" 1\n");
+  ASSERT_EQ(diagnostics_.count(), 1u);
+  EXPECT_NE(diagnostics_.texts().begin()->find("scene.pbrt:4: Shape \"sphere\": parameter 'colour' is not known"),
+            std::string::npos);
+}
+
+TEST_F(ToolScene, CommentsAndBareValuesAndByteOrderMarksAreRead) {
+  const SceneDescription scene = read(
+      "\xEF\xBB\xBF# first\nCamera \"perspective\" # \"float fov\" 10\n\"float fov\"[20]\nWorldBegin "
+      "Shape\"sphere\"\"float radius\"2");
+  EXPECT_FLOAT_EQ(scene.camera.fov_short_axis, 20);
+  EXPECT_FLOAT_EQ(std::get<SphereShape>(scene.shapes[0].geometry).radius, 2);
+}
+
+TEST_F(ToolScene, ConstantAndScaledTexturesComeToTheirValue) {
+  const SceneDescription scene = read_world(
+      "Texture \"a\" \"spectrum\" \"constant\" \"rgb value\" [.5 .25 1]\n"
+      "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\" \"float scale\" .5\n"
+      "Material \"diffuse\" \"texture reflectance\" \"b\"\n" +
+      std::string(kTriangle));
+  EXPECT_EQ(scene.materials[0].reflectance, (Rgb{.25f, .125f, .5f}));
+  EXPECT_NE(world_error_of("Texture \"a\" \"spectrum\" \"scale\" \"texture tex\" \"a\"\n"
+                           "Material \"diffuse\" \"texture reflectance\" \"a\"\n" +
+                           std::string(kTriangle))
+                .find("more than 16 deep"),
+            std::string::npos);
+}
+
+TEST_F(ToolScene, EveryTruncationOfASceneIsAnErrorOrAScene) {
+  const std::string text =
+      "LookAt 0 0 5 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" [30]\nWorldBegin\nAttributeBegin\n"
+      "AreaLightSource \"diffuse\" \"rgb L\" [1 1 1]\nShape \"sphere\" \"float radius\" [2]\nAttributeEnd\n";
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    try {
+      read(text.substr(0, size));
+    } catch (const Error&) {
+    }
+  }
+}
+
+TEST_F(ToolScene, SharedScenesAreReadWithoutWarnings) {
+  const std::filesystem::path folder = std::filesystem::path(BDPT_SHARED_DIR) / "scenes/bitterli";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the shared scenes are not here";
+  const std::pair<const char*, std::size_t> scenes[] = {{"veach-bidir", 14}, {"cornell-box", 8}, {"water-caustic", 10}};
+  for (const auto& [name, instances] : scenes) {
+    const SceneDescription scene = read_pbrt_scene((folder / name / "scene-v4.pbrt").string(), diagnostics_);
+    EXPECT_EQ(scene.instances.size(), instances) << name;
+  }
+  const SceneDescription ajar =
+      read_pbrt_scene((folder / "veach-ajar/scene-v4-present-textures.pbrt").string(), diagnostics_);
+  EXPECT_EQ(ajar.shapes.size(), 18u);  // 17 mesh files and the light
+  EXPECT_EQ(ajar.instances.size(), 22u);
+  EXPECT_EQ(ajar.textures.size(), 3u);
+  for (const std::string& text : diagnostics_.texts()) EXPECT_NE(text.find("bilinearly"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace bdpt_tool

@@ -1,0 +1,121 @@
+// Every subset of techniques that covers the paths gives the same picture, by whatever weights.
+#include "rendering.h"
+
+namespace bdpt {
+namespace {
+
+using namespace rendering;
+using scenes::Contents;
+using scenes::RoomOptions;
+
+constexpr int kSize = 32;
+
+struct Way {
+  std::string name;
+  TransportOptions options;
+  uint64_t passes;
+};
+
+Way way(const std::string& name, uint64_t passes, const std::function<bool(int, int)>& allows) {
+  return {name, options_for(mask_of(allows), 5), passes};
+}
+Way path() {
+  return way("path, s <= 1", 4, [](int s, int) { return s <= 1; });
+}
+Way light(uint64_t passes = 8) {
+  return way("light, t <= 1", passes, [](int, int t) { return t <= 1; });
+}
+Way two_way() {
+  return way("two-way", 4, [](int s, int t) { return s <= 1 || t <= 1; });
+}
+Way no_light_image() {
+  return way("t >= 2", 4, [](int, int t) { return t >= 2; });
+}
+Way no_hits() {
+  return way("s >= 1", 4, [](int s, int) { return s >= 1; });
+}
+Way whole() {
+  return way("bidirectional", 4, [](int, int) { return true; });
+}
+Way odd() {  // no class of techniques is whole: the plain loop
+  return way("s <= 1, and s + t odd", 4, [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; });
+}
+Way by(const std::string& name, Heuristic heuristic, float beta = 2, float cutoff = 0) {
+  Way w = whole();
+  w.name = name;
+  w.options.heuristic = heuristic;
+  w.options.beta = beta;
+  w.options.cutoff = cutoff;
+  return w;
+}
+std::vector<Way> heuristics() {
+  return {by("balance", Heuristic::Balance), by("power 1", Heuristic::Power, 1), by("power 3.5", Heuristic::Power, 3.5f),
+          by("cutoff", Heuristic::Cutoff, 2, 0.1f), by("maximum", Heuristic::Maximum)};
+}
+
+void expect_agreement(const RoomOptions& room, const scenes::Viewpoint& view, const std::vector<Way>& ways,
+                      bool uniform_light_start = false) {
+  const ScenePointer scene = scenes::room(room).build();
+  const SensorPointer camera = scenes::camera(view, kSize, kSize);
+  const auto measure = [&](const Way& w, uint64_t seed) {
+    Effort effort;
+    effort.passes = w.passes;
+    effort.first_seed = seed;
+    TransportOptions options = w.options;
+    options.uniform_light_start = uniform_light_start;
+    return block_means(scene, camera, options, effort);
+  };
+  Way first = whole();
+  first.passes *= 2;
+  const BlockMeans expected = measure(first, 1);
+  for (size_t i = 0; i < ways.size(); ++i)
+    expect_same(measure(ways[i], i + 2), expected, ways.size(), ways[i].name + " against all techniques");
+}
+
+TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureOfADiffuseRoom) {
+  expect_agreement({.points = true}, scenes::room_view(), {path(), light(), two_way(), no_light_image(), no_hits(), odd()});
+}
+
+TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureThroughALens) {
+  expect_agreement({.points = true}, scenes::room_view_through_lens(), {path(), light(), two_way(), no_light_image(), no_hits()});
+}
+
+TEST(TransportAgreement, EveryHeuristicGivesTheSamePicture) {
+  expect_agreement({.contents = Contents::Glossy, .points = true}, scenes::room_view(), heuristics());
+}
+
+TEST(TransportAgreement, EveryHeuristicGivesTheSamePictureThroughALensWithUniformLightStart) {
+  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), true);
+}
+
+TEST(TransportAgreement, GlossySurfacesAndAnEnvironment) {
+  expect_agreement({.contents = Contents::Glossy, .environment = true}, scenes::room_view(),
+                   {path(), light(), two_way(), no_light_image(), no_hits()});
+}
+
+TEST(TransportAgreement, GlassAndMirrors) {
+  expect_agreement({.contents = Contents::Specular, .environment = true}, scenes::room_view(),
+                   {path(), two_way(), no_light_image(), odd()}, true);
+}
+
+TEST(TransportAgreement, GlassAndMirrorsThroughALens) {
+  expect_agreement({.contents = Contents::Specular}, scenes::room_view_through_lens(),
+                   {path(), light(), two_way(), no_light_image()});
+}
+
+// Only direct lighting by techniques whose variance is finite: the average bounds none.
+TEST(TransportAgreement, PlainAverageOfDirectLighting) {
+  const ScenePointer scene = scenes::room({}).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
+  const TechniqueMask mask = mask_of([](int s, int t) { return s + t <= 3 && t >= 1; });
+  TransportOptions options = options_for(mask, 2);
+  const BlockMeans power = block_means(scene, camera, options, {});
+  options.heuristic = Heuristic::Average;
+  Effort effort;
+  effort.passes = 16;
+  effort.first_seed = 2;
+  expect_same(block_means(scene, camera, options, effort), power, 1, "average against power 2");
+}
+
+}  // namespace
+}  // namespace bdpt

@@ -1,0 +1,281 @@
+// Weights: of all techniques of a path they sum to one, and the engine's are those of densities multiplied out here,
+// from the scene's own functions, without anything the engine keeps at its vertices.
+#include "rendering.h"
+#include "transport/block.h"
+
+namespace bdpt {
+namespace {
+
+using namespace rendering;
+
+constexpr int kSize = 8, kMaxEdges = 6;
+
+// A vertex of a whole path x_0 ... x_k; x_0 on a light, x_k on the lens.
+struct Point {
+  Vec3 p;
+  Vertex surface{};  // x_1 ... x_{k-1}
+};
+
+struct Path {
+  LightPoint light;
+  std::vector<Point> points;
+};
+
+float geometry_factor(const Vec3& a, const Vec3* na, const Vec3& b, const Vec3* nb) {
+  const Vec3 edge = b - a;
+  const float d2 = length_squared(edge);
+  const Vec3 w = edge * (1 / std::sqrt(d2));
+  return (na ? absdot(*na, w) : 1) * (nb ? absdot(*nb, w) : 1) / d2;
+}
+
+// Density per projected solid angle with which the surface samples `to`, coming from `from`.
+double scattered(const Vertex& v, const Vec3& from, const Vec3& to, TransportMode mode) {
+  const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
+  const Vec3 previous = unit(from - v.p), next = unit(to - v.p);
+  const BsdfValue value = evaluate(*v.material, v.reflectance, frame.to_local(previous), frame.to_local(next), mode);
+  return value.density / absdot(v.ng, next);
+}
+
+struct Densities {
+  std::vector<PathVertex> vertices;
+  double direct;
+};
+
+Densities densities_of(const Path& path, const Scene& scene, const Engine& engine) {
+  const Lights& lights = scene.lights();
+  const size_t k = path.points.size() - 1;
+  const auto at = [&](size_t i) { return path.points[i].p; };
+  SensorPoint lens;
+  EXPECT_TRUE(engine.sensor.hit(at(k - 1), unit(at(k) - at(k - 1)), 1e30f, engine.bounds, lens));
+  const auto normal = [&](size_t i) {
+    return i == 0 ? (path.light.has_area ? &path.light.normal : nullptr) : i == k ? &lens.normal : &path.points[i].surface.ng;
+  };
+  const auto geometry = [&](size_t i) { return geometry_factor(at(i), normal(i), at(i + 1), normal(i + 1)); };
+  Densities d;
+  d.vertices.resize(k + 1);
+  for (PathVertex& v : d.vertices) v.specular = false;
+  const double position = lights.position_density(path.light, engine.options.uniform_light_start);
+  d.direct = lights.direct_density(path.light, at(1)) / position;
+  d.vertices[0].light = position;
+  d.vertices[1].light = lights.direction_density(path.light, unit(at(1) - at(0))) * geometry(0);
+  for (size_t i = 1; i < k; ++i)
+    d.vertices[i + 1].light =
+        scattered(path.points[i].surface, at(i - 1), at(i + 1), TransportMode::Importance) * geometry(i);
+  d.vertices[k].eye = lens.density_position;
+  d.vertices[k - 1].eye = lens.density_direction * geometry(k - 1);
+  for (size_t i = k - 1; i > 0; --i)
+    d.vertices[i - 1].eye =
+        scattered(path.points[i].surface, at(i + 1), at(i - 1), TransportMode::Radiance) * geometry(i - 1);
+  return d;
+}
+
+// All paths of one sample, in the order of techniques.
+struct SamplePath {
+  int s, t;
+  Path path;
+};
+
+// The emitters of scenes::room() are told apart by their colour.
+int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1 ? 1 : 2; }
+
+void append(Path& path, const SubpathPool& pool, const Vertex& z) {  // z ... z_0, backwards
+  const Vertex* v = &z;
+  for (; v; v = v->previous_index == kNoVertex ? nullptr : &pool.eye[v->previous_index]) path.points.push_back({v->p, *v});
+  path.points.push_back({pool.eye_starts[0].p, {}});
+}
+
+std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
+  const SubpathPool& pool = block.pool();
+  const Engine& engine = block.engine();
+  std::vector<SamplePath> paths;
+  const auto prefix = [&](const Vertex& y) {  // y_0 ... y
+    Path path;
+    for (const Vertex* v = &y; v; v = v->previous_index == kNoVertex ? nullptr : &pool.light[v->previous_index])
+      path.points.insert(path.points.begin(), {v->p, *v});
+    path.light = pool.light_starts[0].y0;
+    path.points.insert(path.points.begin(), {path.light.p, {}});
+    return path;
+  };
+  for (uint32_t i = pool.last_eye[0]; i != kNoVertex; i = pool.eye[i].previous_index) {
+    const Vertex& z = pool.eye[i];
+    if (!is_black(z.material->emission)) {
+      Path path;
+      path.light = {light_of(z.material->emission), false, true, z.p, z.ng};
+      append(path, pool, z);
+      if (z.count > 2) paths.push_back({0, int(z.count), path});
+    }
+    DirectLight direct;
+    if (scene.lights().sample_direct(z.p, engine.draw(pool.eye_streams[0], z.count, Purpose::Connect).u, direct)) {
+      Path path;
+      path.light = direct.y0;
+      path.points.push_back({direct.y0.p, {}});
+      append(path, pool, z);
+      paths.push_back({1, int(z.count), path});
+    }
+    for (uint32_t j = pool.last_light[0]; j != kNoVertex; j = pool.light[j].previous_index) {
+      Path path = prefix(pool.light[j]);
+      append(path, pool, z);
+      paths.push_back({int(pool.light[j].count), int(z.count), path});
+    }
+  }
+  for (uint32_t j = pool.last_light[0]; j != kNoVertex; j = pool.light[j].previous_index) {
+    const Vertex& y = pool.light[j];
+    SensorPoint lens;
+    if (!engine.sensor.sample_toward(y.p, engine.draw(pool.light_streams[0], y.count, Purpose::Connect).u, engine.bounds, lens))
+      continue;
+    Path path = prefix(y);
+    path.points.push_back({lens.p, {}});
+    paths.push_back({int(y.count), 1, path});
+  }
+  return paths;
+}
+
+// Renders one sample alone, so that each technique contributes once at most, wherever in the picture.
+class OneSample {
+ public:
+  OneSample(const Scene& scene, const Sensor& sensor, const TransportOptions& options)
+      : film_(film_desc(kSize, kSize, kMaxEdges), nullptr), engine_(scene, sensor, film_, options, 7), block_(engine_) {}
+  Engine& engine() { return engine_; }
+  const Block& block() const { return block_; }
+  const Film& film() const { return film_; }
+
+  void run(uint64_t pass) {
+    film_.clear();
+    const int x = int(pass) % kSize, y = int(pass / kSize) % kSize;
+    block_.run(pass, {x, y, x + 1, y + 1});
+    film_.end_pass(pass, 0, kSize);
+    film_.commit_pass(pass);
+  }
+  double contribution(int s, int t) const {
+    double sum = 0;
+    for (float v : read(film_, FilmLayer::Technique, s, t)) sum += v;
+    return sum;
+  }
+
+ private:
+  Film film_;
+  Engine engine_;
+  Block block_;
+};
+
+struct Kind {
+  std::string name;
+  Heuristic heuristic;
+  float beta = 2, cutoff = 0;
+};
+const std::vector<Kind> kHeuristics = {{"power 2", Heuristic::Power},          {"power 1", Heuristic::Power, 1},
+                                       {"power 3.5", Heuristic::Power, 3.5f},  {"balance", Heuristic::Balance},
+                                       {"cutoff", Heuristic::Cutoff, 2, 0.1f}, {"maximum", Heuristic::Maximum},
+                                       {"average", Heuristic::Average}};
+
+TransportOptions with(TransportOptions options, const Kind& kind) {
+  options.heuristic = kind.heuristic;
+  options.beta = kind.beta;
+  options.cutoff = kind.cutoff;
+  return options;
+}
+
+void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_start, const TechniqueMask& mask) {
+  const ScenePointer scene = scenes::room(room).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
+  TransportOptions options = options_for(mask, kMaxEdges);
+  options.uniform_light_start = uniform_light_start;
+  OneSample plain(*scene, *camera, with(options, {"none", Heuristic::None}));
+  std::vector<std::unique_ptr<OneSample>> weighted;
+  for (const Kind& kind : kHeuristics) weighted.push_back(std::make_unique<OneSample>(*scene, *camera, with(options, kind)));
+
+  int compared = 0;
+  for (uint64_t pass = 0; pass < 150; ++pass) {
+    plain.run(pass);
+    for (auto& w : weighted) w->run(pass);
+    for (const SamplePath& p : paths_of(plain.block(), *scene)) {
+      if (p.s + p.t - 1 > kMaxEdges || !mask.allows(p.s, p.t)) continue;
+      const double whole = plain.contribution(p.s, p.t);
+      if (!(whole > 1e-6)) continue;  // occluded, or dark
+      const Densities d = densities_of(p.path, *scene, plain.engine());
+      PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
+      techniques.s0_exists = p.path.light.has_area;
+      for (size_t i = 0; i < kHeuristics.size(); ++i) {
+        const TransportOptions& o = weighted[i]->engine().options;
+        const std::string what = kHeuristics[i].name + " (" + std::to_string(p.s) + "," + std::to_string(p.t) + ")";
+        double sum = 0;
+        for (int s = 0; s <= techniques.count; ++s) sum += reference_weight(techniques, s, o);
+        EXPECT_NEAR(sum, 1, 1e-9) << what;
+        const double expected = reference_weight(techniques, p.s, o), weight = weighted[i]->contribution(p.s, p.t) / whole;
+        // Where weights jump rounding decides.
+        if (kHeuristics[i].heuristic == Heuristic::Cutoff || kHeuristics[i].heuristic == Heuristic::Maximum)
+          continue;
+        EXPECT_NEAR(weight, expected, 2e-3 * expected + 1e-5) << what << ", pass " << pass;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000);
+}
+
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesAndSumToOne) {
+  expect_product_weights({.points = true}, false, {});
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndUniformLightStart) {
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, true, {});
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithTechniquesMasked) {
+  expect_product_weights({.points = true}, false, mask_of([](int s, int t) { return s != 1 && t != 0; }));
+}
+
+// Random densities, specular vertices, techniques that do not exist: whatever the path, the weights sum to one.
+TEST(TransportWeights, OfRandomDensitiesSumToOne) {
+  statistics::Uniform uniform(3);
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::vector<PathVertex> vertices(size_t(2 + int(uniform() * 9)));
+    const int k = int(vertices.size()) - 1;
+    for (PathVertex& v : vertices) {
+      v.light = std::exp(40.0 * uniform() - 20);
+      v.eye = std::exp(40.0 * uniform() - 20);
+      v.specular = &v != &vertices[0] && &v != &vertices.back() && uniform() < 0.3f;
+    }
+    PathTechniques path{vertices.data(), k + 1, std::exp(4.0 * uniform() - 2)};
+    path.t0_exists = uniform() < 0.5f;
+    path.corner_exists = uniform() < 0.8f;
+    TransportOptions options;
+    for (uint32_t& row : options.techniques.rows) row = ~(uniform() < 0.3f ? 1u << int(uniform() * 10) : 0);
+    options.techniques.rows[0] = ~0u;  // s = 0 covers every path
+    for (const Kind& kind : kHeuristics) {
+      double sum = 0;
+      for (int s = 0; s <= k + 1; ++s) sum += reference_weight(path, s, with(options, kind));
+      EXPECT_NEAR(sum, 1, 1e-9) << kind.name << ", k = " << k;
+    }
+  }
+}
+
+TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
+  for (const bool uniform_light_start : {false, true}) {
+    scenes::RoomOptions room{.contents = scenes::Contents::Specular, .points = true, .environment = true};
+    const ScenePointer scene = scenes::room(room).build();
+    for (const scenes::Viewpoint& view : {scenes::room_view(), scenes::room_view_through_lens()}) {
+      const SensorPointer camera = scenes::camera(view, kSize, kSize);
+      for (const TechniqueMask& mask : {TechniqueMask(), mask_of([](int s, int t) { return s <= 1 || t <= 1; }),
+                                        mask_of([](int s, int t) { return s != 1 && (s >= 2 || t >= 2); })})
+        for (size_t i = 0; i < 4; ++i) {
+          TransportOptions options = with(options_for(mask, kMaxEdges), kHeuristics[i]);
+          options.uniform_light_start = uniform_light_start;
+          OneSample fast(*scene, *camera, options), slow(*scene, *camera, options);
+          ASSERT_TRUE(fast.engine().running_sums);
+          slow.engine().running_sums = false;
+          for (uint64_t pass = 0; pass < 24; ++pass) {
+            fast.run(pass);
+            slow.run(pass);
+            for (int k = 1; k <= kMaxEdges; ++k)
+              for (int s = 0; s <= k + 1; ++s) {
+                const double a = fast.contribution(s, k + 1 - s), b = slow.contribution(s, k + 1 - s);
+                EXPECT_NEAR(a, b, 1e-4 * std::fabs(b) + 1e-9)
+                    << kHeuristics[i].name << " (" << s << "," << k + 1 - s << "), pass " << pass;
+              }
+          }
+        }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bdpt

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film_output.h"
+
+namespace bdpt_tool {
+namespace {
+
+// A failure to write is a failure of the output, whatever the library calls it.
+void check_output(bdpt_result result, const std::string& path) {
+  if (result < 0) throw Error(ExitCode::kOutput, "cannot write '" + path + "': " + bdpt_last_error());
+}
+
+Image read(const bdpt_film* film, bdpt_read_desc desc, bool partial) {
+  const bdpt_film_info info = film_info(film);
+  Image image(info.width, info.height);
+  desc.include_partial = partial;
+  check(bdpt_film_read(film, &desc, image.pixels.data(), image.pixels.size() * sizeof(float)), "reading the film");
+  return image;
+}
+
+}  // namespace
+
+Film load_film(bdpt_context* context, const std::string& path) {
+  bdpt_film* film = nullptr;
+  const bdpt_result result = bdpt_film_load(context, path.c_str(), &film);
+  if (result == BDPT_ERROR_IO || result == BDPT_ERROR_FORMAT) throw Error(Location{path, 0}, bdpt_last_error());
+  check(result, path);
+  return Film(film);
+}
+
+Image read_layer(const bdpt_film* film, bdpt_layer layer, bool partial) {
+  auto desc = sized<bdpt_read_desc>();
+  desc.layer = layer;
+  return read(film, desc, partial);
+}
+
+Image read_technique(const bdpt_film* film, std::uint32_t s, std::uint32_t t, bool partial) {
+  auto desc = sized<bdpt_read_desc>();
+  desc.layer = BDPT_LAYER_TECHNIQUE;
+  desc.s = s;
+  desc.t = t;
+  return read(film, desc, partial);
+}
+
+void write_film_exr(const std::string& path, const bdpt_film* film, bool partial) {
+  const Image color = read_layer(film, BDPT_LAYER_COLOR, partial);
+  const bool has_variance = film_info(film).relative_error >= 0;
+  const Image variance = has_variance ? read_layer(film, BDPT_LAYER_VARIANCE, partial) : Image();
+  const bdpt_image_layer layers[2] = {{nullptr, color.pixels.data()}, {"variance", variance.pixels.data()}};
+  auto desc = sized<bdpt_exr_desc>();
+  desc.width = color.width;
+  desc.height = color.height;
+  desc.layers = layers;
+  desc.layer_count = has_variance ? 2 : 1;
+  check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
+}
+
+void write_exr(const std::string& path, const Image& image) {
+  const bdpt_image_layer layer = {nullptr, image.pixels.data()};
+  auto desc = sized<bdpt_exr_desc>();
+  desc.width = image.width;
+  desc.height = image.height;
+  desc.layers = &layer;
+  desc.layer_count = 1;
+  check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
+}
+
+void write_png(const std::string& path, Image image, const ViewOptions& options) {
+  auto desc = sized<bdpt_display_desc>();
+  desc.view = options.view;
+  desc.exposure = options.exposure;
+  check(bdpt_image_display(&desc, image.pixels.data(), image.width, image.height), "the display transform");
+  check_output(bdpt_image_write_png(path.c_str(), image.pixels.data(), image.width, image.height), path);
+}
+
+}  // namespace bdpt_tool

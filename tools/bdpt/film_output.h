@@ -1,0 +1,32 @@
+// From a film to images in memory and in files.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "handles.h"
+#include "image.h"
+
+namespace bdpt_tool {
+
+struct ViewOptions {
+  bdpt_view view = BDPT_VIEW_SRGB;
+  float exposure = 0;  // stops
+};
+
+// Reads a film file. An Error of kInput if there is none or it is damaged.
+Film load_film(bdpt_context* context, const std::string& path);
+
+// `partial`: with the part of a pass that was interrupted.
+Image read_layer(const bdpt_film* film, bdpt_layer layer, bool partial);
+Image read_technique(const bdpt_film* film, std::uint32_t s, std::uint32_t t, bool partial);
+
+// The film's colour, and its variance, once there is one, as a layer of that name.
+void write_film_exr(const std::string& path, const bdpt_film* film, bool partial);
+void write_exr(const std::string& path, const Image& image);
+
+// Through the display transform.
+void write_png(const std::string& path, Image image, const ViewOptions& options);
+
+}  // namespace bdpt_tool

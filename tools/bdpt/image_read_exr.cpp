@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+
+#include "image.h"
+
+namespace bdpt_tool {
+namespace {
+
+// The names of the layers, without the dot: "" for the main one.
+std::vector<std::string> layers_of(const Imf::ChannelList& channels) {
+  std::vector<std::string> layers;
+  for (auto it = channels.begin(); it != channels.end(); ++it) {
+    const std::string name = it.name();
+    if (name != "R" && !name.ends_with(".R")) continue;
+    const std::string layer = name.substr(0, name.size() == 1 ? 0 : name.size() - 2);
+    const std::string prefix = layer.empty() ? "" : layer + ".";
+    if (channels.findChannel(prefix + "G") && channels.findChannel(prefix + "B")) layers.push_back(layer);
+  }
+  return layers;
+}
+
+void add_slices(Imf::FrameBuffer& buffer, const std::string& layer, Image& image, const Imath::Box2i& window) {
+  const std::string prefix = layer.empty() ? "" : layer + ".";
+  const std::size_t pixel = 3 * sizeof(float), row = pixel * image.width;
+  const char* names[3] = {"R", "G", "B"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    // OpenEXR wants the address pixel (0, 0) would have.
+    char* base = reinterpret_cast<char*>(image.pixels.data() + c) -
+                 (static_cast<std::ptrdiff_t>(window.min.x) * static_cast<std::ptrdiff_t>(pixel) +
+                  static_cast<std::ptrdiff_t>(window.min.y) * static_cast<std::ptrdiff_t>(row));
+    buffer.insert(prefix + names[c], Imf::Slice(Imf::FLOAT, base, pixel, row));
+  }
+}
+
+std::map<std::string, Image> read(const std::string& path) {
+  Imf::InputFile file(path.c_str());
+  const Imath::Box2i window = file.header().dataWindow();
+  const auto width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
+  const auto height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
+  if (width > 65536 || height > 65536) throw std::runtime_error("larger than 65536 pixels");
+  std::map<std::string, Image> images;
+  Imf::FrameBuffer buffer;
+  for (const std::string& layer : layers_of(file.header().channels())) {
+    const auto added = images.emplace(layer, Image(width, height)).first;
+    add_slices(buffer, layer, added->second, window);
+  }
+  if (images.empty()) throw std::runtime_error("no channels R, G and B");
+  file.setFrameBuffer(buffer);
+  file.readPixels(window.min.y, window.max.y);
+  return images;
+}
+
+}  // namespace
+
+std::map<std::string, Image> read_exr(const std::string& path, const Location& from) {
+  try {
+    return read(path);
+  } catch (const std::exception& error) {
+    detail::fail_image(path, from, error.what());
+  }
+}
+
+}  // namespace bdpt_tool

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <utility>
+
+#include "pbrt/directives.h"
+
+namespace bdpt_tool {
+namespace {
+
+const char* begin_name(int kind) {
+  static constexpr const char* kNames[] = {"AttributeBegin", "TransformBegin", "ObjectBegin", "Import"};
+  return kNames[kind];
+}
+
+const char* end_name(int kind) {
+  static constexpr const char* kNames[] = {"AttributeEnd", "TransformEnd", "ObjectEnd", "the end of the import"};
+  return kNames[kind];
+}
+
+}  // namespace
+
+void Directives::pop(Scope::Kind kind, const Location& where) {
+  if (scopes_.empty()) {
+    throw Error(where, std::string(end_name(int(kind))) + " without " + begin_name(int(kind)));
+  }
+  const Scope scope = std::move(scopes_.back());
+  scopes_.pop_back();
+  if (scope.kind != kind) {
+    throw Error(where, std::string(end_name(int(kind))) + " closes the " + begin_name(int(scope.kind)) + " of line " +
+                           std::to_string(scope.where.line) + "; close that first");
+  }
+  if (kind == Scope::Kind::kTransform) {
+    state_.transform = scope.state.transform;
+  } else {
+    state_ = scope.state;
+  }
+}
+
+void Directives::attribute_begin(Lexer&, const Location& where) {
+  scopes_.push_back({Scope::Kind::kAttribute, state_, where});
+}
+void Directives::attribute_end(Lexer&, const Location& where) { pop(Scope::Kind::kAttribute, where); }
+
+void Directives::transform_begin(Lexer&, const Location& where) {
+  scopes_.push_back({Scope::Kind::kTransform, state_, where});
+}
+void Directives::transform_end(Lexer&, const Location& where) { pop(Scope::Kind::kTransform, where); }
+
+void Directives::begin_import(const Location& where) { scopes_.push_back({Scope::Kind::kImport, state_, where}); }
+void Directives::end_import(const Location& where) { pop(Scope::Kind::kImport, where); }
+
+void Directives::object_begin(Lexer& lexer, const Location& where) {
+  require_world(where, "ObjectBegin");
+  const std::string name = expect_string(lexer, where, "ObjectBegin: a name");
+  if (!open_object_.empty()) throw Error(where, "ObjectBegin inside the object '" + open_object_ + "'; end that first");
+  if (name.empty()) throw Error(where, "ObjectBegin: the name is empty");
+  if (!objects_.emplace(name, std::vector<PlacedShape>()).second) {
+    throw Error(where, "the object '" + name + "' is defined twice; rename one");
+  }
+  scopes_.push_back({Scope::Kind::kObject, state_, where});
+  open_object_ = name;
+}
+
+void Directives::object_end(Lexer&, const Location& where) {
+  pop(Scope::Kind::kObject, where);
+  open_object_.clear();
+}
+
+void Directives::object_instance(Lexer& lexer, const Location& where) {
+  require_world(where, "ObjectInstance");
+  const std::string name = expect_string(lexer, where, "ObjectInstance: a name");
+  if (!open_object_.empty()) throw Error(where, "ObjectInstance inside an object is not allowed");
+  const auto found = objects_.find(name);
+  if (found == objects_.end()) throw Error(where, "there is no object '" + name + "'; define it with ObjectBegin");
+  for (PlacedShape placed : found->second) {
+    placed.state.transform = state_.transform * placed.state.transform;
+    placed.where = where;
+    placed_.push_back(std::move(placed));
+  }
+}
+
+void Directives::reverse_orientation(Lexer&, const Location& where) {
+  require_world(where, "ReverseOrientation");
+  state_.reverse_orientation = !state_.reverse_orientation;
+}
+
+void Directives::texture(Lexer& lexer, const Location& where) {
+  require_world(where, "Texture");
+  const std::string name = expect_string(lexer, where, "Texture: a name");
+  const std::string type = expect_string(lexer, where, "Texture: a type");
+  if (type != "spectrum" && type != "float")
+    throw Error(where, "a texture is \"spectrum\" or \"float\", not \"" + type + "\"");
+  std::string kind;
+  ParamList params = expect_params(lexer, where, "Texture", kind);
+  params.set_directive("Texture \"" + name + "\" \"" + kind + "\"");
+  textures_.define(name, kind, std::move(params), folder_);
+}
+
+std::shared_ptr<Directives::MaterialEntry> Directives::material_named(const std::string& name) {
+  auto& entry = named_materials_[name];
+  if (!entry) {
+    entry = std::make_shared<MaterialEntry>();
+    entry->name = name;
+  }
+  return entry;
+}
+
+void Directives::material(Lexer& lexer, const Location& where) {
+  require_world(where, "Material");
+  auto entry = std::make_shared<MaterialEntry>();
+  entry->params = expect_params(lexer, where, "Material", entry->type);
+  entry->name = entry->type;
+  entry->defined = true;
+  state_.material = std::move(entry);
+}
+
+void Directives::make_named_material(Lexer& lexer, const Location& where) {
+  require_world(where, "MakeNamedMaterial");
+  std::string name;
+  ParamList params = expect_params(lexer, where, "MakeNamedMaterial", name);
+  const auto entry = material_named(name);
+  if (entry->defined) throw Error(where, "the material '" + name + "' is defined twice; rename one");
+  entry->type = params.get_string("type", "");
+  if (entry->type.empty()) params.fail("\"string type\" is missing");
+  entry->params = std::move(params);
+  entry->defined = true;
+}
+
+void Directives::named_material(Lexer& lexer, const Location& where) {
+  require_world(where, "NamedMaterial");
+  state_.material = material_named(expect_string(lexer, where, "NamedMaterial: a name"));
+}
+
+void Directives::area_light_source(Lexer& lexer, const Location& where) {
+  require_world(where, "AreaLightSource");
+  std::string type;
+  const ParamList params = expect_params(lexer, where, "AreaLightSource", type);
+  state_.area_light = convert_area_light(type, params, diagnostics_);
+}
+
+void Directives::light_source(Lexer& lexer, const Location& where) {
+  require_world(where, "LightSource");
+  std::string type;
+  const ParamList params = expect_params(lexer, where, "LightSource", type);
+  scene_.lights.push_back(convert_light(type, params, state_.transform, diagnostics_));
+}
+
+void Directives::shape(Lexer& lexer, const Location& where) {
+  require_world(where, "Shape");
+  std::string type;
+  const ParamList params = expect_params(lexer, where, "Shape", type);
+  PlacedShape placed{shapes_.add(type, params, state_.reverse_orientation, folder_), state_, where};
+  if (open_object_.empty()) {
+    placed_.push_back(std::move(placed));
+    return;
+  }
+  if (placed.state.area_light) {
+    diagnostics_.warn(where, "an area light inside an object does not shine, as in pbrt; place it outside");
+    placed.state.area_light.reset();
+  }
+  objects_[open_object_].push_back(std::move(placed));
+}
+
+// One material for each pair of a material of the file and an emission. Turning a sphere over, which the library
+// cannot, comes to the inverse index for glass and to nothing for what does not emit.
+int Directives::place_material(const PlacedShape& placed) {
+  MaterialEntry& entry = *placed.state.material;
+  if (!entry.defined) {
+    throw Error(placed.where, "there is no material '" + entry.name + "'; define it with MakeNamedMaterial");
+  }
+  if (!entry.converted) {
+    entry.converted = convert_material(entry.type, entry.params, textures_, diagnostics_);
+    entry.converted->label = entry.name;
+  }
+  MaterialDescription material = *entry.converted;
+  if (const auto& light = placed.state.area_light) {
+    material.emission = light->radiance;
+    material.emission_two_sided = light->two_sided;
+  }
+  const bool sphere = std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry);
+  const bool turned = sphere && placed.state.reverse_orientation;
+  if (turned && material.emits() && !material.emission_two_sided) {
+    throw Error(placed.where, "a sphere that emits to its inside is not known; use a mesh");
+  }
+  if (turned) material.ior = 1 / material.ior;
+  if (sphere && material.texture >= 0) {
+    diagnostics_.warn(placed.where, "the texture may lie differently on a sphere than in pbrt");
+  }
+  const MaterialKey key(&entry, turned, material.emission_two_sided, material.emission);
+  const auto [found, added] = placed_materials_.emplace(key, static_cast<int>(scene_.materials.size()));
+  if (added) scene_.materials.push_back(std::move(material));
+  return found->second;
+}
+
+void Directives::place(const PlacedShape& placed) {
+  const Transform& transform = placed.state.transform;
+  if (!transform.is_finite() || !transform.is_invertible()) {
+    throw Error(placed.where, "the transform of this shape is singular or not finite; check the directives before it");
+  }
+  if (std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry) && uniform_scale(transform) == 0) {
+    throw Error(placed.where, "this transform makes an ellipsoid of a sphere; scale alike in all axes, or use a mesh");
+  }
+  scene_.instances.push_back({placed.shape, place_material(placed), transform.rows(), placed.where});
+}
+
+void Directives::finish(const Location& end) {
+  if (!scopes_.empty()) {
+    const Scope& scope = scopes_.back();
+    throw Error(scope.where,
+                std::string(begin_name(int(scope.kind))) + " is never closed; add " + end_name(int(scope.kind)));
+  }
+  if (!in_world_) throw Error(end, "there is no WorldBegin; this is no complete pbrt-v4 scene");
+  if (!has_camera_) diagnostics_.warn(end, "there is no Camera; one at the origin that looks along +z is used");
+  scene_.instances.reserve(placed_.size());
+  for (const PlacedShape& placed : placed_) place(placed);
+  if (scene_.instances.empty() && scene_.lights.empty()) throw Error(end, "the scene is empty; it needs a Shape");
+}
+
+}  // namespace bdpt_tool

@@ -1,0 +1,24 @@
+// Turns the lights of a pbrt scene into the library's. A radiance in rgb is what a pixel that sees it shows.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "pbrt/params.h"
+#include "pbrt/transform.h"
+#include "scene_description.h"
+
+namespace bdpt_tool {
+
+struct AreaLight {
+  Rgb radiance = {};
+  bool two_sided = false;
+};
+
+AreaLight convert_area_light(const std::string& type, const ParamList& params, Diagnostics& diagnostics);
+
+LightDescription convert_light(const std::string& type, const ParamList& params, const Transform& to_world,
+                               Diagnostics& diagnostics);
+
+}  // namespace bdpt_tool

@@ -1,0 +1,23 @@
+// The directives before WorldBegin: camera, film, pixel filter, sampler, integrator.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "pbrt/params.h"
+#include "pbrt/transform.h"
+#include "scene_description.h"
+
+namespace bdpt_tool {
+
+// `world_to_camera` is the transform where Camera stands in the file.
+void read_camera(const std::string& type, const ParamList& params, const Transform& world_to_camera,
+                 SceneDescription& scene, Diagnostics& diagnostics);
+void read_film(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics);
+void read_filter(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics);
+void read_sampler(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics);
+void read_integrator(const std::string& type, const ParamList& params, SceneDescription& scene,
+                     Diagnostics& diagnostics);
+
+}  // namespace bdpt_tool

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pbrt/scene_reader.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "file_data.h"
+#include "pbrt/directives.h"
+
+namespace bdpt_tool {
+namespace {
+
+constexpr std::size_t kMaxIncludeDepth = 32;
+
+class Reader {
+ public:
+  Reader(const std::string& path, Diagnostics& diagnostics)
+      : path_(path),
+        folder_(std::filesystem::path(path).parent_path().string()),
+        directives_(scene_, diagnostics, folder_) {
+    scene_.path = path;
+    // A file without a Camera has the format's default one.
+    scene_.camera.transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0};
+  }
+
+  SceneDescription read() {
+    read_file(path_, {});
+    directives_.finish({path_, last_line_});
+    merge_environments();
+    return std::move(scene_);
+  }
+
+ private:
+  void read_file(const std::string& path, const Location& from) {
+    if (++depth_ > kMaxIncludeDepth) {
+      throw Error(from, "files include each other more than " + std::to_string(kMaxIncludeDepth) + " deep; does '" +
+                            path + "' include itself?");
+    }
+    if (path.ends_with(".gz")) throw Error(from, "'" + path + "' is compressed; unpack it with gunzip");
+    const FileData file(path, from);
+    Lexer lexer(file.text(), path);
+    while (const std::optional<Token> token = lexer.next()) {
+      last_line_ = token->line;
+      const Location where = lexer.location(token->line);
+      const bool word = token->kind == Token::Kind::kWord;
+      if (word && token->text == "Include") {
+        read_file(expect_path(lexer, where), where);
+      } else if (word && token->text == "Import") {
+        directives_.begin_import(where);
+        read_file(expect_path(lexer, where), where);
+        directives_.end_import(where);
+      } else {
+        directives_.execute(*token, lexer);
+      }
+    }
+    --depth_;
+  }
+
+  // Paths are relative to the folder of the scene's first file.
+  std::string expect_path(Lexer& lexer, const Location& where) const {
+    return (std::filesystem::path(folder_) / expect_string(lexer, where, "a file name")).string();
+  }
+
+  // Several infinite lights add up; the library takes one.
+  void merge_environments() {
+    std::vector<LightDescription> lights;
+    LightDescription* environment = nullptr;
+    lights.reserve(scene_.lights.size());
+    for (LightDescription& light : scene_.lights) {
+      if (light.type == BDPT_LIGHT_ENVIRONMENT && environment) {
+        for (int c = 0; c < 3; ++c) environment->value[c] += light.value[c];
+        continue;
+      }
+      lights.push_back(std::move(light));
+      if (lights.back().type == BDPT_LIGHT_ENVIRONMENT) environment = &lights.back();
+    }
+    scene_.lights = std::move(lights);
+  }
+
+  std::string path_, folder_;
+  SceneDescription scene_;
+  Directives directives_;
+  std::size_t depth_ = 0;
+  int last_line_ = 0;
+};
+
+}  // namespace
+
+SceneDescription read_pbrt_scene(const std::string& path, Diagnostics& diagnostics) {
+  return Reader(path, diagnostics).read();
+}
+
+}  // namespace bdpt_tool

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pbrt/shapes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include "ply.h"
+
+namespace bdpt_tool {
+namespace {
+
+void refuse_alpha(const ParamList& params) {
+  const Param* alpha = params.find("alpha");
+  if (!alpha) return;
+  if (alpha->type == "texture" || params.get_float("alpha", 1) != 1) {
+    params.fail(*alpha, "other than 1 is not known yet; remove it, or cut the mesh");
+  }
+}
+
+TriangleMesh inline_mesh(const ParamList& params, Diagnostics& diagnostics) {
+  TriangleMesh mesh;
+  mesh.positions = params.get_tuples("P", 3);
+  mesh.normals = params.get_tuples("N", 3);
+  mesh.uv = params.get_tuples("uv", 2);
+  mesh.indices = params.get_indices("indices");
+  params.warn_ignored("S", "is not used: tangents follow uv", diagnostics);
+  params.ignore("faceIndices");
+  const std::size_t vertices = mesh.vertex_count();
+  if (vertices == 0) params.fail("\"point3 P\" is missing");
+  if (!params.has("indices")) {
+    if (vertices != 3) params.fail("\"integer indices\" is missing");
+    mesh.indices = {0, 1, 2};
+  }
+  if (mesh.indices.empty() || mesh.indices.size() % 3 != 0) {
+    params.fail("the number of indices must be a multiple of 3, and not 0");
+  }
+  if (!mesh.normals.empty() && mesh.normals.size() != 3 * vertices)
+    params.fail("N must have as many normals as P points");
+  if (!mesh.uv.empty() && mesh.uv.size() != 2 * vertices) params.fail("uv must have as many pairs as P points");
+  const std::uint32_t greatest = *std::max_element(mesh.indices.begin(), mesh.indices.end());
+  if (greatest >= vertices) {
+    params.fail("vertex " + std::to_string(greatest) + " does not exist, there are " + std::to_string(vertices));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+int ShapeTable::push(std::string label, const Location& where, TriangleMesh mesh, bool turned) {
+  if (turned) turn_over(mesh);
+  if (const std::size_t repaired = repair_zero_normals(mesh)) {
+    diagnostics_.warn(where,
+                      label + ": " + std::to_string(repaired) + " normals of length zero, made from the triangles");
+  }
+  scene_.shapes.push_back({std::move(label), where, std::move(mesh)});
+  return static_cast<int>(scene_.shapes.size()) - 1;
+}
+
+int ShapeTable::add_sphere(const ParamList& params) {
+  const float radius = params.get_float("radius", 1);
+  if (!(radius > 0)) params.fail("the radius must be greater than zero");
+  const bool full = params.get_float("zmin", -radius) <= -radius && params.get_float("zmax", radius) >= radius &&
+                    params.get_float("phimax", 360) >= 360;
+  if (!full) params.fail("only whole spheres are known; remove zmin, zmax and phimax, or give a mesh");
+  const auto found = spheres_.find(radius);
+  if (found != spheres_.end()) return found->second;
+  scene_.shapes.push_back({"sphere", params.where(), SphereShape{radius}});
+  return spheres_[radius] = static_cast<int>(scene_.shapes.size()) - 1;
+}
+
+int ShapeTable::add_inline_mesh(const ParamList& params, bool turned) {
+  const Location& where = params.where();
+  return push(
+      "trianglemesh at " + std::filesystem::path(where.file).filename().string() + ":" + std::to_string(where.line),
+      where, inline_mesh(params, diagnostics_), turned);
+}
+
+int ShapeTable::add_ply(const ParamList& params, bool turned, const std::string& folder) {
+  const std::string file = params.get_string("filename", "");
+  if (file.empty()) params.fail("\"string filename\" is missing");
+  params.refuse("displacement", "is not known yet; displace the mesh");
+  params.ignore("displacement.edgelength");
+  params.ignore("edgelength");
+  if (file.ends_with(".gz")) params.fail(*params.find("filename"), "is compressed; unpack it with gunzip");
+  const std::string path = (std::filesystem::path(folder) / file).lexically_normal().string();
+  const std::pair<std::string, bool> key(path, turned);
+  const auto found = files_.find(key);
+  if (found != files_.end()) return found->second;
+  return files_[key] = push(file, params.where(), read_ply(path, params.find("filename")->where), turned);
+}
+
+int ShapeTable::add(const std::string& type, const ParamList& params, bool turned, const std::string& folder) {
+  refuse_alpha(params);
+  int shape = -1;
+  if (type == "sphere") {
+    shape = add_sphere(params);
+  } else if (type == "trianglemesh") {
+    shape = add_inline_mesh(params, turned);
+  } else if (type == "plymesh") {
+    shape = add_ply(params, turned, folder);
+  } else {
+    params.fail("the shape '" + type + "' is not known yet; use trianglemesh, plymesh or sphere");
+  }
+  params.warn_unused(diagnostics_);
+  return shape;
+}
+
+}  // namespace bdpt_tool

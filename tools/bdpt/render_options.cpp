@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "choice_option.h"
+#include "view_options.h"
+
+namespace bdpt_tool {
+namespace {
+
+constexpr std::uint64_t kDefaultSamples = 64;
+
+const std::map<std::string, bdpt_heuristic> kHeuristics = {
+    {"power", BDPT_HEURISTIC_POWER},     {"balance", BDPT_HEURISTIC_BALANCE}, {"cutoff", BDPT_HEURISTIC_CUTOFF},
+    {"maximum", BDPT_HEURISTIC_MAXIMUM}, {"average", BDPT_HEURISTIC_AVERAGE}, {"none", BDPT_HEURISTIC_NONE}};
+const std::map<std::string, bdpt_sampler> kSamplers = {
+    {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
+const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
+                                                     {"tent", BDPT_FILTER_TENT},
+                                                     {"gaussian", BDPT_FILTER_GAUSSIAN},
+                                                     {"mitchell", BDPT_FILTER_MITCHELL},
+                                                     {"blackman-harris", BDPT_FILTER_BLACKMAN_HARRIS}};
+const std::map<std::string, bdpt_normalization> kNormalizations = {
+    {"weights", BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED}, {"count", BDPT_NORMALIZATION_SAMPLE_COUNT}};
+
+void add_output_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("-o,--output", options.output, "The picture, OpenEXR, with a layer 'variance'")->required();
+  command.add_option("--png", options.png, "The picture through the display transform, PNG");
+  command.add_option("--film", options.film, "Save the film, to merge or to go on from; an old one is replaced");
+  command.add_flag("--resume", options.resume, "If the file of --film is there, load it and go on from it");
+  command.add_option("--pyramid", options.pyramid,
+                     "Folder for the picture of each technique (s,t), and pyramid.png with all of them; row k is "
+                     "over-exposed by k-1 stops");
+  add_view_options(command, options.view);
+  command.add_flag("--json", options.json, "Print one JSON object about the render on stdout");
+}
+
+void add_limit_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--spp", options.samples_per_pixel,
+                  "Samples per pixel N: the passes 0:N (default: the file's, or 64)")
+      ->check(positive());
+  command.add_option("--passes", options.passes, "Passes A:B, from A up to but without B, for renders to be merged")
+      ->excludes("--spp");
+  command.add_option("--time", options.seconds, "Stop after this many seconds")->check(positive());
+  command.add_option("--noise", options.noise, "Stop at this relative error")->check(positive());
+  command.add_option("--seed", options.seed, "Of the random numbers (default 0)");
+}
+
+void add_method_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("--max-edges", options.max_edges, "Longest path, k edges; 0 = no limit (default: maxdepth + 1)");
+  command.add_option("--integrator", options.integrator, "path, light or bdpt (default bdpt, whatever the file names)")
+      ->check(CLI::IsMember({"path", "light", "bdpt"}));
+  command.add_option("--techniques", options.techniques, kTechniqueMaskHelp)
+      ->excludes("--integrator")
+      ->type_name("MASK");
+  add_choice(command, "--heuristic", options.heuristic, kHeuristics,
+             "power (default), balance, cutoff, maximum, average or none");
+  command.add_option("--beta", options.beta, "Exponent of the power heuristic (default 2)")->check(positive());
+  command.add_option("--cutoff", options.cutoff, "Threshold of the cutoff heuristic, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0));
+  add_choice(command, "--sampler", options.sampler, kSamplers, "sobol (default), independent or stratified");
+}
+
+void add_image_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("--width", options.width, "Width of the picture in pixels (default: the file's)")
+      ->check(CLI::Range(1, 65536));
+  command.add_option("--height", options.height, "Height of the picture in pixels (default: the file's)")
+      ->check(CLI::Range(1, 65536));
+  add_choice(command, "--filter", options.filter, kFilters,
+             "box, tent, gaussian, mitchell or blackman-harris (default: the file's)");
+  command.add_option("--filter-radius", options.filter_radius, "In pixels (default: the filter's own)")
+      ->check(CLI::Range(0.5, 8.0));
+  add_choice(command, "--normalization", options.normalization, kNormalizations,
+             "weights (default; less noise, slightly biased) or count (unbiased)");
+}
+
+std::uint64_t parse_pass(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec == std::errc() && result.ptr == end) return value;
+  throw Error(ExitCode::kUsage, "--passes: '" + std::string(text) + "' is no number; write A:B, such as 0:64");
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("scene", options.scene, "A pbrt-v4 scene file")->required();
+  add_output_options(command, options);
+  add_limit_options(command, options);
+  add_image_options(command, options);
+  add_method_options(command, options);
+  command.add_option("--threads", options.threads, "Threads that render (default: one per core)");
+  command.footer(
+      "Of several limits the first one reached counts. Ctrl-C stops and writes what is finished (exit code 130), a "
+      "second Ctrl-C ends the program at once. " +
+      std::string(kExitCodeHelp));
+}
+
+PassRange pass_range(const RenderOptions& options, std::optional<std::uint32_t> samples_in_file) {
+  if (!options.passes.empty()) {
+    const std::size_t colon = options.passes.find(':');
+    if (colon == std::string::npos) throw Error(ExitCode::kUsage, "--passes: write A:B, such as 0:64");
+    const std::string_view text = options.passes;
+    const PassRange range = {parse_pass(text.substr(0, colon)), parse_pass(text.substr(colon + 1))};
+    if (range.first >= range.end) throw Error(ExitCode::kUsage, "--passes: the range is empty");
+    return range;
+  }
+  if (options.samples_per_pixel) return {0, *options.samples_per_pixel};
+  if (options.seconds > 0 || options.noise > 0) return {0, 0};
+  return {0, samples_in_file.value_or(kDefaultSamples)};
+}
+
+TechniqueMask technique_mask(const RenderOptions& options) {
+  if (!options.techniques.empty()) return parse_technique_mask(options.techniques);
+  if (options.integrator == "path") return parse_technique_mask("s<=1&t>=2");
+  if (options.integrator == "light") return parse_technique_mask("t<=1");
+  return parse_technique_mask("all");
+}
+
+}  // namespace bdpt_tool

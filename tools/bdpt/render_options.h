@@ -1,0 +1,52 @@
+// The options of `bdpt render`.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "film_output.h"
+#include "technique_mask.h"
+
+namespace CLI {
+class App;
+}
+
+namespace bdpt_tool {
+
+// What is not given is empty: the scene file decides, or a default.
+struct RenderOptions {
+  std::string scene, output, png, film, pyramid;
+  std::optional<std::uint64_t> samples_per_pixel;
+  double seconds = 0, noise = 0;
+  std::string passes;  // "A:B"
+  std::uint64_t seed = 0;
+  std::optional<std::uint32_t> width, height, max_edges;
+  std::string integrator, techniques;
+  bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
+  float beta = 0, cutoff = 0;
+  bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
+  std::optional<bdpt_filter> filter;
+  float filter_radius = 0;
+  bdpt_normalization normalization = BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED;
+  ViewOptions view;
+  std::uint32_t threads = 0;
+  bool json = false, resume = false;
+};
+
+void add_render_options(CLI::App& command, RenderOptions& options);
+
+// Which passes to sample: [first, end), end 0 = until another limit is reached.
+struct PassRange {
+  std::uint64_t first = 0, end = 0;
+};
+
+// From --passes, --spp, or the file; a limit of time or noise alone leaves the end open. Throws an Error of kUsage.
+PassRange pass_range(const RenderOptions& options, std::optional<std::uint32_t> samples_in_file);
+
+// From --techniques or --integrator; all by default. Throws an Error of kUsage.
+TechniqueMask technique_mask(const RenderOptions& options);
+
+}  // namespace bdpt_tool

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render_report.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+
+#include "json.h"
+
+namespace bdpt_tool {
+namespace {
+
+std::uint64_t max_resident_bytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+const char* isa_name(bdpt_isa isa) {
+  switch (isa) {
+    case BDPT_ISA_SSE42:
+      return "sse4.2";
+    case BDPT_ISA_AVX2:
+      return "avx2";
+    case BDPT_ISA_AVX512:
+      return "avx512";
+    default:
+      return "unknown";
+  }
+}
+
+void write_work(JsonWriter& json, const bdpt_render_stats& stats) {
+  json.open("rays");
+  json.value("eye", stats.eye_rays);
+  json.value("light", stats.light_rays);
+  json.value("shadow", stats.shadow_rays);
+  json.value("shadow_blocked", stats.shadow_rays_blocked);
+  json.close();
+  json.value("connections", stats.connections);
+  json.open("thread_seconds");
+  json.value("start", stats.seconds_start);
+  json.value("extend", stats.seconds_extend);
+  json.value("extend_rays", stats.seconds_extend_rays);
+  json.value("connect", stats.seconds_connect);
+  json.value("shadow", stats.seconds_shadow);
+  json.value("accumulate", stats.seconds_accumulate);
+  json.close();
+}
+
+}  // namespace
+
+void print_json(const RenderReport& report) {
+  JsonWriter json;
+  json.open("seconds");
+  json.value("load", report.load_seconds);
+  json.value("build", report.build_seconds);
+  json.value("render", report.render_seconds);
+  json.close();
+  json.value("width", report.film.width);
+  json.value("height", report.film.height);
+  json.value("passes", report.stats.passes);
+  json.value("samples", report.stats.samples);
+  write_work(json, report.stats);
+  json.open("film");
+  json.value("passes", report.film.passes);
+  json.value("first_pass", report.film.first_pass);
+  json.value("next_pass", report.film.next_pass);
+  json.close();
+  json.value("relative_error", report.film.relative_error);
+  json.value("rejected", report.stats.rejected);
+  json.open("memory");
+  json.value("library_peak", report.context.memory_peak);
+  json.value("scene", report.scene.memory);
+  json.value("process_peak", max_resident_bytes());
+  json.close();
+  json.value("threads", report.context.threads);
+  json.value("isa", isa_name(report.context.isa));
+  json.value("triangles", report.scene.triangles);
+  json.value("lights", report.scene.lights);
+  json.value("warnings", report.warnings);
+  json.value("interrupted", report.interrupted);
+  std::fputs(std::move(json).finish().c_str(), stdout);
+}
+
+void print_summary(const RenderReport& report) {
+  const double rate = report.render_seconds > 0 ? static_cast<double>(report.stats.samples) / report.render_seconds : 0;
+  std::fprintf(stderr, "%llu passes, %.2f s load, %.2f s build, %.2f s render, %.3f M samples/s",
+               static_cast<unsigned long long>(report.stats.passes), report.load_seconds, report.build_seconds,
+               report.render_seconds, rate / 1e6);
+  if (report.film.relative_error >= 0) std::fprintf(stderr, ", relative error %.4g", report.film.relative_error);
+  if (report.stats.rejected > 0) {
+    std::fprintf(stderr, ", %llu contributions rejected", static_cast<unsigned long long>(report.stats.rejected));
+  }
+  std::fputs("\n", stderr);
+}
+
+}  // namespace bdpt_tool

@@ -1,0 +1,23 @@
+// Hands a scene description over to the library.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "handles.h"
+#include "scene_description.h"
+
+namespace bdpt_tool {
+
+// Reads a scene file. The only format so far is pbrt-v4.
+SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics);
+
+// Builds the scene. The meshes move into the library, which borrows their memory. Returns no scene if cancelled.
+Scene build_scene(bdpt_context* context, SceneDescription& description, bdpt_cancel* cancel = nullptr);
+
+// The camera as the library takes it, for an image of this size.
+bdpt_camera_desc camera_desc(const SceneDescription& description, std::uint32_t width, std::uint32_t height,
+                             Diagnostics& diagnostics);
+
+}  // namespace bdpt_tool
