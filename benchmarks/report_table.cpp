@@ -47,7 +47,7 @@ std::string significant(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%#.*g", digits, value);
   std::string s = text;
-  if (s.find('e') != std::string::npos) return number(value, 0);
+  if (s.find('e') != std::string::npos) return number(value, value < 1 ? 6 : 0);
   if (s.back() == '.') s.pop_back();
   return s;
 }
@@ -58,8 +58,9 @@ std::string mebibytes(double bytes) { return number(bytes / (1024 * 1024), 1); }
 // A figure, and beside it the target where there is one.
 std::string judged(const std::string& figure, const std::optional<Verdict>& verdict) {
   if (!verdict) return figure;
-  const std::string target =
-      std::string(verdict->at_most ? "≤ " : "≥ ") + significant(verdict->limit, verdict->limit < 10 ? 2 : 3);
+  char limit[32];
+  std::snprintf(limit, sizeof limit, "%g", verdict->limit);
+  const std::string target = std::string(verdict->at_most ? "≤ " : "≥ ") + limit;
   return figure + (verdict->met() ? " (" + target + ": met)" : " (**" + target + ": missed**)");
 }
 

@@ -519,7 +519,7 @@ typedef struct bdpt_film_desc {
   uint32_t groups;         /* independent groups of passes, pass p belongs to group p mod groups: [1,16]; 0 = 2. The
                               estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more */
   uint32_t pyramid_edges;  /* keep an image of each technique (s,t) of paths of up to so many edges: [0,15];
-                              48 bytes per pixel and technique, of which k edges have k + 2. 0 = none */
+                              96 bytes per pixel and technique, of which k edges have k + 2. 0 = none */
 } bdpt_film_desc;
 
 /* Creates an empty film for a sensor. desc may be NULL.

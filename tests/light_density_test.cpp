@@ -34,7 +34,7 @@ TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
   std::vector<int> seen(lights.count());
   for (const bool evenly : {false, true})
     for (int i = 0; i < 20000; ++i) {
-      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(lights.start(u, v, evenly, start));
       ++seen[size_t(start.y0.light)];
@@ -68,7 +68,7 @@ TEST(LightDensity, StartsCarryThePower) {
     Uniform uniform(2);
     std::vector<Estimate> power(lights.count());
     for (int i = 0; i < 200000; ++i) {
-      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(lights.start(u, v, evenly, start));
       for (size_t k = 0; k < power.size(); ++k) power[k].add(int(k) == start.y0.light ? double(start.weight.r) : 0);
@@ -84,7 +84,7 @@ TEST(LightDensity, OfDirectLightingIsThatOfItsPoint) {
   Uniform uniform(3);
   for (const Vec3& x : kPlaces)
     for (int i = 0; i < 5000; ++i) {
-      const float u[3] = {uniform(), uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()};
       DirectLight direct;
       if (!lights.sample_direct(x, u, direct)) continue;
       EXPECT_FLOAT_EQ(direct.density, lights.direct_density(direct.y0, x));
@@ -106,7 +106,7 @@ TEST(LightDensity, OfDirectLightingIntegratesToOne) {
     Uniform uniform(4);
     Estimate integral;
     for (int i = 0; i < 200000; ++i) {
-      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(lights.start(u, v, true, start));
       integral.add(lights.direct_density(start.y0, x) / start.density_position);
@@ -129,7 +129,7 @@ TEST(LightDensity, OfDirectLightingIsWhatItSamples) {
     Uniform uniform(5);
     Estimate zone[4];
     for (int i = 0; i < 100000; ++i) {
-      const float u[3] = {uniform(), uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()};
       DirectLight direct;
       if (!lights.sample_direct(x, u, direct)) continue;
       const double place = (direct.y0.normal.y - least) / (1 - least);
@@ -174,7 +174,7 @@ TEST(LightDensity, TransformedMeshesShineFromTheirFrontOverTheirTrueArea) {
     const auto scene = b.build();
     Uniform uniform(6);
     for (int i = 0; i < 100; ++i) {
-      const float u[3] = {uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(scene->lights().start(u, v, false, start));
       EXPECT_NEAR(start.density_position, 1 / 6.0, 1e-6);

@@ -83,10 +83,14 @@ TEST_P(SamplingStreams, OfNeighbouringSequencesAreUncorrelated) {
 TEST_P(SamplingStreams, OfDifferentGroupsOfOneSequenceAreUncorrelated) {
   for (uint32_t group : {1u, 2u, 4u, 40u})
     for (int d = 0; d < 4; ++d) {
-      std::vector<std::pair<float, float>> pairs;
-      for (uint32_t i = 0; i < kPairs; ++i)
-        pairs.emplace_back(GetParam()({11, i}, 0)[d], GetParam()({11, i}, group)[3 - d]);
-      EXPECT_GT(uniformity(pairs), kSignificance / 50) << group << ' ' << d;
+      std::vector<std::pair<float, float>> same, others;
+      for (uint32_t i = 0; i < kPairs; ++i) {
+        const Four a = GetParam()({11, i}, 0), b = GetParam()({11, i}, group);
+        same.emplace_back(a[d], b[d]);
+        others.emplace_back(a[d], b[3 - d]);
+      }
+      EXPECT_GT(uniformity(same), kSignificance / 50) << group << ' ' << d;
+      EXPECT_GT(uniformity(others), kSignificance / 50) << group << ' ' << d;
     }
 }
 
@@ -138,7 +142,7 @@ TEST(SamplingDiscrete, ChoosesWithItsProbabilitiesAndKeepsTheRestOfTheNumber) {
   constexpr int n = 1 << 20;
   std::vector<double> observed(weights.size() * 16), expected;
   for (int i = 0; i < n; ++i) {
-    float u = (float(i) + 0.5f) / n;
+    double u = (i + 0.5) / n;
     const size_t chosen = d.sample(u);
     ASSERT_TRUE(u >= 0 && u < 1);
     ++observed[chosen * 16 + size_t(u * 16)];
@@ -148,8 +152,8 @@ TEST(SamplingDiscrete, ChoosesWithItsProbabilitiesAndKeepsTheRestOfTheNumber) {
       // Evenly spaced numbers: a cell is off by one or two.
       EXPECT_NEAR(observed[i * 16 + size_t(k)], n * weights[i] / 6.001 / 16, 2) << i << ' ' << k;
     }
-  for (float edge : {0.0f, 0x1.fffffep-1f}) {
-    float u = edge;
+  for (double edge : {0.0, 0x1.fffffffffffffp-1}) {
+    double u = edge;
     EXPECT_GT(d.probability(d.sample(u)), 0) << edge;
   }
   EXPECT_TRUE(Discrete().empty());

@@ -287,7 +287,7 @@ inline Builder room(const RoomOptions& options) {
       break;
   }
   if (options.points) {
-    b.point(Vec3(0.5f, 0.5f, 0.97f), Rgb(0.3f, 0.3f, 0.4f));
+    b.point(Vec3(0.7f, -0.2f, 0.5f), Rgb(0.3f, 0.3f, 0.4f));
     b.spot(Vec3(-0.6f, 0.7f, 0.5f), Vec3(0.5f, -1, -0.3f), Rgb(1.5f, 1, 1), 40, 25);
   }
   if (options.environment) b.environment(Rgb(1.5f, 1.5f, 2));

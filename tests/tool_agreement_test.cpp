@@ -18,7 +18,8 @@ struct Case {
   const char* file;
   std::uint32_t width, height, max_edges;
   std::uint64_t passes, bdpt_passes;  // for each seed
-  std::vector<std::uint32_t> unseen;  // blocks left out: light tracing does not see them through specular surfaces
+  std::vector<std::uint32_t> left_out;  // blocks: light tracing does not see through specular surfaces (veach_bidir);
+                                        // small lamps in smooth plates, caustics by chance take hours, see full()
   std::uint32_t rows = 0;             // of the image that are measured, from the top; 0 = all
   bool lights_seen = true;            // false: without paths of one edge, for lights so small that s = 0 misses them
 };
@@ -40,8 +41,8 @@ std::vector<Case> path_cases() {
             {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 8000, 4000, {}},
             {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 2, 200, 200, {}, 32, false}};
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 40, 20, {}},
-          {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 60, 60, {}, 0, false},
-          {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 3, 900, 100, {}},
+          {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 60, 60, {0}, 0, false},
+          {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 3, 700, 100, {3}},
           {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 4, 1000, 400, {}},
           {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 2, 20, 20, {}, 32, false}};
 }
@@ -53,10 +54,10 @@ std::vector<Case> light_cases() {
             {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 8000, 4000, {}},
             {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 6, 400, 400, {}, 32}};
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 30, 20, {}},
-          {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 1800, 60, {}, 0, false},
+          {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 1000, 60, {0, 1}, 0, false},
           {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 6, 30, 30, {3}},
-          {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 4, 1500, 400, {}},
-          {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 3, 60, 60, {}, 32}};
+          {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 1000, 400, {}},
+          {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 3, 200, 150, {}, 32}};
 }
 
 Variant path_tracing(std::uint64_t passes) {
@@ -87,10 +88,10 @@ class Agree : public testing::TestWithParam<Case> {
     const SceneUnderTest scene = load_scene(path_, {c.width, c.height, c.rows}, c.max_edges, diagnostics);
     const BlockMeans reference = render_blocks(scene, both, kSeeds, 1);
     const BlockMeans means = render_blocks(scene, variant, kSeeds, 1001);
-    const Agreement plain = compare_blocks(means.plain, reference.plain, c.unseen);
+    const Agreement plain = compare_blocks(means.plain, reference.plain, c.left_out);
     EXPECT_LE(plain.worst, 1) << variant.name << " and bidirectional differ\n" << plain.table;
     EXPECT_LE(plain.widest, 0.01) << "too noisy to tell\n" << plain.table;
-    const Agreement planted = compare_blocks(means.planted, reference.plain, c.unseen);
+    const Agreement planted = compare_blocks(means.planted, reference.plain, c.left_out);
     EXPECT_GT(planted.worst, 1) << "a factor of 1.02 in one technique goes unnoticed\n" << planted.table;
     if (std::getenv("BDPT_VALIDATE_TABLES"))
       std::printf("%s, %s, k = %u:\n%s", c.name, variant.name.c_str(), c.max_edges, plain.table.c_str());

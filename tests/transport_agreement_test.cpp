@@ -53,54 +53,67 @@ std::vector<Way> heuristics() {
           by("cutoff", Heuristic::Cutoff, 2, 0.1f), by("maximum", Heuristic::Maximum)};
 }
 
-void expect_agreement(const RoomOptions& room, const scenes::Viewpoint& view, const std::vector<Way>& ways,
+// Each way against each other and against all techniques; `effort` multiplies the passes.
+void expect_agreement(const RoomOptions& room, const scenes::Viewpoint& view, std::vector<Way> ways, uint64_t effort,
                       bool uniform_light_start = false) {
   const ScenePointer scene = scenes::room(room).build();
   const SensorPointer camera = scenes::camera(view, kSize, kSize);
-  const auto measure = [&](const Way& w, uint64_t seed) {
-    Effort effort;
-    effort.passes = w.passes;
-    effort.first_seed = seed;
+  ways.push_back(whole());
+  std::vector<BlockMeans> means;
+  for (const Way& w : ways) {
     TransportOptions options = w.options;
     options.uniform_light_start = uniform_light_start;
-    return block_means(scene, camera, options, effort);
-  };
-  Way first = whole();
-  first.passes *= 2;
-  const BlockMeans expected = measure(first, 1);
+    means.push_back(block_means(scene, camera, options, {.passes = effort * w.passes, .first_seed = means.size() + 1}));
+  }
+  const size_t pairs = ways.size() * (ways.size() - 1) / 2;
   for (size_t i = 0; i < ways.size(); ++i)
-    expect_same(measure(ways[i], i + 2), expected, ways.size(), ways[i].name + " against all techniques");
+    for (size_t j = 0; j < i; ++j) expect_same(means[i], means[j], pairs, ways[i].name + " against " + ways[j].name);
 }
 
 TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureOfADiffuseRoom) {
-  expect_agreement({.points = true}, scenes::room_view(), {path(), light(), two_way(), no_light_image(), no_hits(), odd()});
+  expect_agreement({.points = true}, scenes::room_view(),
+                   {path(), light(), two_way(), no_light_image(), no_hits(), odd()}, 6);
 }
 
 TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureThroughALens) {
-  expect_agreement({.points = true}, scenes::room_view_through_lens(), {path(), light(), two_way(), no_light_image(), no_hits()});
+  expect_agreement({.points = true}, scenes::room_view_through_lens(),
+                   {path(), light(), two_way(), no_light_image(), no_hits()}, 3);
 }
 
 TEST(TransportAgreement, EveryHeuristicGivesTheSamePicture) {
-  expect_agreement({.contents = Contents::Glossy, .points = true}, scenes::room_view(), heuristics());
+  expect_agreement({.contents = Contents::Glossy, .points = true}, scenes::room_view(), heuristics(), 1);
 }
 
 TEST(TransportAgreement, EveryHeuristicGivesTheSamePictureThroughALensWithUniformLightStart) {
-  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), true);
+  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), 1, true);
 }
 
 TEST(TransportAgreement, GlossySurfacesAndAnEnvironment) {
   expect_agreement({.contents = Contents::Glossy, .environment = true}, scenes::room_view(),
-                   {path(), light(), two_way(), no_light_image(), no_hits()});
+                   {path(), light(), two_way(), no_light_image(), no_hits()}, 3, true);
 }
 
 TEST(TransportAgreement, GlassAndMirrors) {
   expect_agreement({.contents = Contents::Specular, .environment = true}, scenes::room_view(),
-                   {path(), two_way(), no_light_image(), odd()}, true);
+                   {path(), two_way(), no_light_image(), odd()}, 2);
 }
 
 TEST(TransportAgreement, GlassAndMirrorsThroughALens) {
   expect_agreement({.contents = Contents::Specular}, scenes::room_view_through_lens(),
-                   {path(), light(), two_way(), no_light_image()});
+                   {path(), light(), two_way(), no_light_image()}, 2);
+}
+
+// Points that are stratified, and numbers shared or used twice, would show where eye and light subpaths meet.
+TEST(TransportAgreement, EverySamplerGivesTheSamePicture) {
+  const ScenePointer scene = scenes::room({.points = true}).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
+  std::vector<BlockMeans> means;
+  for (SamplerType sampler : {SamplerType::Independent, SamplerType::Sobol, SamplerType::Stratified}) {
+    TransportOptions options = options_for({}, 5);
+    options.sampler = sampler;
+    means.push_back(block_means(scene, camera, options, {.passes = 12, .first_seed = means.size() + 1}));
+  }
+  for (size_t i = 1; i < means.size(); ++i) expect_same(means[i], means[0], 2, "sampler " + std::to_string(i));
 }
 
 // Only direct lighting by techniques whose variance is finite: the average bounds none.
@@ -111,10 +124,7 @@ TEST(TransportAgreement, PlainAverageOfDirectLighting) {
   TransportOptions options = options_for(mask, 2);
   const BlockMeans power = block_means(scene, camera, options, {});
   options.heuristic = Heuristic::Average;
-  Effort effort;
-  effort.passes = 16;
-  effort.first_seed = 2;
-  expect_same(block_means(scene, camera, options, effort), power, 1, "average against power 2");
+  expect_same(block_means(scene, camera, options, {.passes = 16, .first_seed = 2}), power, 1, "average against power 2");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ constexpr int kSize = 8, kMaxEdges = 6;
 // A vertex of a whole path x_0 ... x_k; x_0 on a light, x_k on the lens.
 struct Point {
   Vec3 p;
-  Vertex surface{};  // x_1 ... x_{k-1}
+  const Vertex* surface = nullptr;  // x_1 ... x_{k-1}
 };
 
 struct Path {
@@ -48,7 +48,7 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   SensorPoint lens;
   EXPECT_TRUE(engine.sensor.hit(at(k - 1), unit(at(k) - at(k - 1)), 1e30f, engine.bounds, lens));
   const auto normal = [&](size_t i) {
-    return i == 0 ? (path.light.has_area ? &path.light.normal : nullptr) : i == k ? &lens.normal : &path.points[i].surface.ng;
+    return i == 0 ? (path.light.has_area ? &path.light.normal : nullptr) : i == k ? &lens.normal : &path.points[i].surface->ng;
   };
   const auto geometry = [&](size_t i) { return geometry_factor(at(i), normal(i), at(i + 1), normal(i + 1)); };
   Densities d;
@@ -60,12 +60,12 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   d.vertices[1].light = lights.direction_density(path.light, unit(at(1) - at(0))) * geometry(0);
   for (size_t i = 1; i < k; ++i)
     d.vertices[i + 1].light =
-        scattered(path.points[i].surface, at(i - 1), at(i + 1), TransportMode::Importance) * geometry(i);
+        scattered(*path.points[i].surface, at(i - 1), at(i + 1), TransportMode::Importance) * geometry(i);
   d.vertices[k].eye = lens.density_position;
   d.vertices[k - 1].eye = lens.density_direction * geometry(k - 1);
   for (size_t i = k - 1; i > 0; --i)
     d.vertices[i - 1].eye =
-        scattered(path.points[i].surface, at(i + 1), at(i - 1), TransportMode::Radiance) * geometry(i - 1);
+        scattered(*path.points[i].surface, at(i + 1), at(i - 1), TransportMode::Radiance) * geometry(i - 1);
   return d;
 }
 
@@ -80,8 +80,8 @@ int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1
 
 void append(Path& path, const SubpathPool& pool, const Vertex& z) {  // z ... z_0, backwards
   const Vertex* v = &z;
-  for (; v; v = v->previous_index == kNoVertex ? nullptr : &pool.eye[v->previous_index]) path.points.push_back({v->p, *v});
-  path.points.push_back({pool.eye_starts[0].p, {}});
+  for (; v; v = v->previous_index == kNoVertex ? nullptr : &pool.eye[v->previous_index]) path.points.push_back({v->p, v});
+  path.points.push_back({pool.eye_starts[0].p});
 }
 
 std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
@@ -91,9 +91,9 @@ std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
   const auto prefix = [&](const Vertex& y) {  // y_0 ... y
     Path path;
     for (const Vertex* v = &y; v; v = v->previous_index == kNoVertex ? nullptr : &pool.light[v->previous_index])
-      path.points.insert(path.points.begin(), {v->p, *v});
+      path.points.insert(path.points.begin(), {v->p, v});
     path.light = pool.light_starts[0].y0;
-    path.points.insert(path.points.begin(), {path.light.p, {}});
+    path.points.insert(path.points.begin(), Point{path.light.p});
     return path;
   };
   for (uint32_t i = pool.last_eye[0]; i != kNoVertex; i = pool.eye[i].previous_index) {
@@ -108,7 +108,7 @@ std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
     if (scene.lights().sample_direct(z.p, engine.draw(pool.eye_streams[0], z.count, Purpose::Connect).u, direct)) {
       Path path;
       path.light = direct.y0;
-      path.points.push_back({direct.y0.p, {}});
+      path.points.push_back({direct.y0.p});
       append(path, pool, z);
       paths.push_back({1, int(z.count), path});
     }
@@ -124,7 +124,7 @@ std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
     if (!engine.sensor.sample_toward(y.p, engine.draw(pool.light_streams[0], y.count, Purpose::Connect).u, engine.bounds, lens))
       continue;
     Path path = prefix(y);
-    path.points.push_back({lens.p, {}});
+    path.points.push_back({lens.p});
     paths.push_back({int(y.count), 1, path});
   }
   return paths;

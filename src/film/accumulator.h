@@ -15,8 +15,8 @@ struct Accumulator {
   int64_t high = 0;
 
   static constexpr int kFractionBits = 48;
-  // Larger contributions are rejected, so that 2^40 of them cannot overflow.
-  static constexpr float kMaximum = 1.2676506e30f / 32;  // 2^95
+  // Larger contributions are rejected: with 2^95 steps each, 2^31 of them cannot overflow.
+  static constexpr float kMaximum = 0x1p47f;
 
   // The contribution in steps, rounded toward zero below 2^-48. |v| <= kMaximum.
   static Int128 steps(float v) {
@@ -36,6 +36,11 @@ struct Accumulator {
       if (old + v_low < old) ++v_high;
     }
     if (v_high != 0) std::atomic_ref<int64_t>(high).fetch_add(v_high, std::memory_order_relaxed);
+  }
+
+  static Accumulator of(float v) {
+    const Int128 n = steps(v);
+    return {static_cast<uint64_t>(n), static_cast<int64_t>(n >> 64)};
   }
 
   void add(const Accumulator& o) {

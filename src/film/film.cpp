@@ -22,6 +22,7 @@ uint64_t Film::bytes_for(const FilmDesc& desc) {
 Film::Film(const FilmDesc& desc, std::shared_ptr<MemoryMeter> meter)
     : desc_(desc), filter_(desc.filter), booking_(std::move(meter), bytes_for(desc), "the film") {
   desc_.filter.radius = filter_.radius();
+  own_pixel_ = desc.filter.type == FilterType::Box && filter_.radius() == 0.5f;
   sums_.resize(pixels() * size_t(desc.groups));
   pass_.resize(pixels());
   pyramid_.resize(pixels() * size_t(technique_count()));
@@ -82,6 +83,10 @@ bool fits(const Rgb& v) {
          std::fabs(v.b) <= Accumulator::kMaximum;  // false for NaN, too
 }
 
+void add_own(Accumulator& sum, float v) {
+  if (v != 0) sum.add(Accumulator::of(v));
+}
+
 void add_rgb(Accumulator sums[3], const Rgb& v) {
   if (v.r != 0) sums[0].add_shared(Accumulator::steps(v.r));
   if (v.g != 0) sums[1].add_shared(Accumulator::steps(v.g));
@@ -93,6 +98,13 @@ void add_rgb(Accumulator sums[3], const Rgb& v) {
 void Film::add_eye_sample(const FilmPosition& film, const Rgb& value) {
   const bool ok = fits(value);
   if (!ok) ++rejected_pass_;
+  if (own_pixel_) {  // no other thread samples this pixel
+    const int x = int(film.x), y = int(film.y);
+    PixelSums& sums = pass_[size_t(y) * size_t(desc_.width) + size_t(x)];
+    if (ok) add_own(sums.eye[0], value.r), add_own(sums.eye[1], value.g), add_own(sums.eye[2], value.b);
+    if (desc_.normalize_by_weights) add_own(sums.weight, 1);
+    return;
+  }
   splat(film, [&](size_t pixel, float h) {
     PixelSums& sums = pass_[pixel];
     if (ok) add_rgb(sums.eye, value * h);

@@ -69,7 +69,7 @@ class Film {
 
   // --- Filling, by src/render. Contributions go to the pass in hand; end_pass adds it to its group. ---
   void begin(const FilmRecipe& recipe);  // throws Mismatch if the film holds another recipe
-  // Thread-safe. s and t say which image of the pyramid gets the contribution, too.
+  // Thread-safe, but for two eye samples of one pixel. s and t say which image of the pyramid gets the contribution, too.
   void add_eye_sample(const FilmPosition& film, const Rgb& value);
   void add_light_sample(const FilmPosition& film, const Rgb& value);
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
@@ -116,6 +116,7 @@ class Film {
   std::atomic<uint64_t> rejected_pass_{0};
   uint64_t rejected_ = 0;
   bool partial_ = false;
+  bool own_pixel_ = false;  // an eye sample counts for its own pixel only
   std::atomic<bool> in_use_{false};
 };
 

@@ -14,6 +14,14 @@ float one_minus_cos_cap(float radius, float d2) {
   return sin2 / (1 + safe_sqrt(1 - sin2));
 }
 
+// A point of a mesh, uniform by area; u chooses the triangle.
+void sample_triangles(const Lights::AreaLight& a, double u, float u1, float u2, LightPoint& y0) {
+  const LightTriangle& t = a.triangles[a.by_area.sample(u)];
+  const Vec2 b = sample_triangle(u1, u2);
+  y0.p = t.corner + t.edge1 * b.x + t.edge2 * b.y;
+  y0.normal = t.normal;
+}
+
 double power_of_area(const Lights::AreaLight& a) {
   return double(norm(a.radiance)) * kPi * a.area * (a.two_sided ? 2 : 1);
 }
@@ -66,12 +74,17 @@ float Lights::spot_falloff(const LightDesc& spot, const Vec3& w) const {
   return t * t * (3 - 2 * t);
 }
 
-bool Lights::start(const float u[3], const float v[2], bool uniform, LightStart& start) const {
+bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart& start) const {
   if (empty()) return false;
-  float u0 = u[0];
-  const int light = uniform ? int(std::min(u0 * float(lights_.size()), float(lights_.size() - 1)))
-                            : int(by_power_.sample(u0));
-  if (uniform) u0 = u0 * float(lights_.size()) - float(light);
+  double u0 = join(u[0], u[3]);
+  int light;
+  if (uniform) {
+    u0 *= double(lights_.size());
+    light = int(u0);
+    u0 -= light;
+  } else {
+    light = int(by_power_.sample(u0));
+  }
   const float chosen = choice(light, uniform);
   LightPoint& y0 = start.y0;
   y0 = LightPoint{};
@@ -85,11 +98,7 @@ bool Lights::start(const float u[3], const float v[2], bool uniform, LightStart&
         y0.normal = sample_sphere(u[1], u[2]);
         y0.p = a.center + y0.normal * a.radius;
       } else {
-        const size_t i = a.triangles.sample(u0) * 3;
-        const Vec2 b = sample_triangle(u[1], u[2]);
-        const Vec3 e1 = a.corners[i + 1] - a.corners[i], e2 = a.corners[i + 2] - a.corners[i];
-        y0.p = a.corners[i] + e1 * b.x + e2 * b.y;
-        y0.normal = unit(cross(e1, e2));
+        sample_triangles(a, u0, u[1], u[2], y0);
       }
       // A two-sided light takes a side by the first half of the direction's first number.
       float v0 = v[0];
@@ -157,9 +166,9 @@ bool Lights::sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, f
   return true;
 }
 
-bool Lights::sample_direct(const Vec3& x, const float u[3], DirectLight& direct) const {
+bool Lights::sample_direct(const Vec3& x, const float u[4], DirectLight& direct) const {
   if (empty()) return false;
-  float u0 = u[0];
+  double u0 = join(u[0], u[3]);
   const int light = int(by_power_.sample(u0));
   LightPoint& y0 = direct.y0;
   y0 = LightPoint{};
@@ -174,11 +183,7 @@ bool Lights::sample_direct(const Vec3& x, const float u[3], DirectLight& direct)
       return true;
     case Kind::Triangles: {
       const AreaLight& a = area(light);
-      const size_t i = a.triangles.sample(u0) * 3;
-      const Vec2 b = sample_triangle(u[1], u[2]);
-      const Vec3 e1 = a.corners[i + 1] - a.corners[i], e2 = a.corners[i + 2] - a.corners[i];
-      y0.p = a.corners[i] + e1 * b.x + e2 * b.y;
-      y0.normal = unit(cross(e1, e2));
+      sample_triangles(a, u0, u[1], u[2], y0);
       y0.has_area = true;
       break;
     }

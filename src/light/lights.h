@@ -16,8 +16,6 @@
 
 namespace bdpt {
 
-class Scene;
-
 // y0 of a light subpath or of direct lighting. The tag says which light and which side of it.
 struct LightPoint {
   int light = -1;
@@ -44,11 +42,11 @@ struct DirectLight {
   float density = 0;           // P_A^d(y0), choice of light included; per solid angle for infinite lights
 };
 
-// How a path that ends at a light could have been made otherwise.
-struct LightDensities {
-  float position = 0;          // P_A(y0), by which light subpaths start
-  float direction = 0;         // P_sigma-perp(y0 -> x)
-  float direct = 0;            // P_A^d(y0), by direct lighting at x
+// One triangle of an area light, in the world.
+struct LightTriangle {
+  Vec3 corner, edge1, edge2;
+  Vec3 normal;  // unit, toward the front
+  LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n) : corner(a), edge1(b - a), edge2(c - a), normal(n) {}
 };
 
 class Lights {
@@ -61,8 +59,8 @@ class Lights {
     Vec3 center{0, 0, 0};  // sphere
     float radius = 0;
     float area = 0;
-    Discrete triangles;  // by area
-    std::vector<Vec3> corners;  // world positions, three for each triangle, front first
+    Discrete by_area;
+    std::vector<LightTriangle> triangles;
   };
 
   // Area lights first, in the order given, then the rest. The scene lies within the sphere given.
@@ -74,10 +72,10 @@ class Lights {
   bool has_environment() const { return environment_ >= 0; }
   int environment() const { return environment_; }
 
-  // Starts a light subpath. u: choice, position 2; v: direction 2. False for a scene without light.
-  bool start(const float u[3], const float v[2], bool uniform, LightStart& start) const;
-  // Chooses y0 for s = 1 at a point of a surface. False where the light chosen cannot reach it.
-  bool sample_direct(const Vec3& x, const float u[3], DirectLight& direct) const;
+  // Starts a light subpath. u: choice, position 2, more of the choice; v: direction 2. False for a scene without light.
+  bool start(const float u[4], const float v[2], bool uniform, LightStart& start) const;
+  // Chooses y0 for s = 1 at a point of a surface; u as above. False where the light chosen cannot reach it.
+  bool sample_direct(const Vec3& x, const float u[4], DirectLight& direct) const;
 
   // L_e(y0 -> x) of any finite light, w from y0 to x; of points, the intensity.
   Rgb emitted(const LightPoint& y0, const Vec3& w) const;

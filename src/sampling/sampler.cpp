@@ -72,9 +72,9 @@ const SobolTable kSobol = make_table();
 }  // namespace
 
 Four sobol4(const Stream& stream, uint32_t group) {
-  const uint64_t key = mix64(stream.scramble + uint64_t(group) * 0x9e3779b97f4a7c15ull);
-  const uint64_t key2 = mix64(key);
-  const uint64_t key3 = mix64(key2);
+  // Three hashes side by side, for the permutation of the points and a scramble of each dimension.
+  const uint64_t base = stream.scramble + uint64_t(group) * 0x9e3779b97f4a7c15ull;
+  const uint64_t key = mix64(base), key2 = mix64(base ^ 0xd6e8feb86659fd93ull), key3 = mix64(base ^ 0xa0761d6478bd642full);
   const uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(stream.index), uint32_t(key)));
   const uint32_t seeds[4] = {uint32_t(key >> 32), uint32_t(key2), uint32_t(key2 >> 32), uint32_t(key3)};
   Four r;

@@ -5,18 +5,20 @@
 
 namespace bdpt {
 
+// Sine and cosine of x in [-pi/4, pi/4], to the last bits of a float.
+inline Vec2 cos_sin_octant(float x) {
+  const float x2 = x * x;
+  const float s = x + x * x2 * (-1.6666654611e-1f + x2 * (8.3321608736e-3f - x2 * 1.9515295891e-4f));
+  const float c = 1 - 0.5f * x2 + x2 * x2 * (4.166664568298827e-2f + x2 * (-1.388731625493765e-3f + x2 * 2.443315711809948e-5f));
+  return {c, s};
+}
+
 inline Vec2 sample_disk(float u0, float u1) {  // concentric (Shirley and Chiu 1997), density 1/pi
   const float a = 2 * u0 - 1, b = 2 * u1 - 1;
   if (a == 0 && b == 0) return {0, 0};
-  float r, phi;
-  if (std::fabs(a) > std::fabs(b)) {
-    r = a;
-    phi = (kPi / 4) * (b / a);
-  } else {
-    r = b;
-    phi = kPi / 2 - (kPi / 4) * (a / b);
-  }
-  return {r * std::cos(phi), r * std::sin(phi)};
+  if (std::fabs(a) > std::fabs(b)) return cos_sin_octant((kPi / 4) * (b / a)) * a;
+  const Vec2 cs = cos_sin_octant((kPi / 4) * (a / b));
+  return {b * cs.y, b * cs.x};
 }
 
 inline Vec3 sample_cosine_hemisphere(float u0, float u1) {  // density cos / pi

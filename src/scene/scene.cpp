@@ -210,13 +210,11 @@ void Scene::collect_lights() {
         if (!emits) continue;
         Surface surface;
         const bool valid = triangle_surface(instance, uint32_t(k), 1.0f / 3, 1.0f / 3, surface);
-        const Vec3 n = cross(corner[1] - corner[0], corner[2] - corner[0]);
-        if (valid && dot(n, surface.ng) < 0) std::swap(corner[1], corner[2]);
-        area.push_back(valid ? 0.5 * double(length(n)) : 0);
+        area.push_back(valid ? 0.5 * double(length(cross(corner[1] - corner[0], corner[2] - corner[0]))) : 0);
         total += area.back();
-        light.corners.insert(light.corners.end(), corner, corner + 3);
+        light.triangles.emplace_back(corner[0], corner[1], corner[2], valid ? surface.ng : Vec3(0));
       }
-      if (emits) light.triangles = Discrete(area);
+      if (emits) light.by_area = Discrete(area);
       light.area = float(total);
     }
     if (emits && light.area > 0) {

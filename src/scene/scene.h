@@ -76,7 +76,6 @@ class Scene {
   SceneInfo info_;
   Booking booking_;
 
-  friend class SceneProbe;  // tests
 };
 
 }  // namespace bdpt

@@ -72,7 +72,9 @@ void Block::start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t
   const Stream stream = pool_.eye_streams[sample] = engine_.eye_stream(pass, number);
   const Four u = engine_.draw_film(stream, pass, number);
   EyeStart& z0 = pool_.eye_starts[sample];
-  z0 = engine_.sensor.start({x + u[0], y + u[1]}, u.u + 2, engine_.bounds);
+  // Within the pixel, whatever the rounding: x + u may come out as x + 1.
+  const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };
+  z0 = engine_.sensor.start({within(x, u[0]), within(y, u[1])}, u.u + 2, engine_.bounds);
   if (engine_.max_eye < 2) return;
   Walker w{};
   w.eye = true;
@@ -111,7 +113,8 @@ void Block::start_light(uint64_t pass, uint64_t number, uint32_t sample) {
   w.vertex = kNoVertex;
   w.count = 1;
   w.sample = sample;
-  push_walker(walkers_, rays_, w, y0.y0.has_area ? offset_toward(y0.origin, y0.y0.normal, y0.direction) : y0.origin);
+  push_walker(walkers_, rays_, w,
+              y0.y0.has_area ? offset_toward(y0.origin, y0.y0.normal, y0.direction, engine_.offset_unit) : y0.origin);
 }
 
 void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from) {
@@ -177,6 +180,8 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.sums = geometry / w.density * w.sums;
   v.previous = -w.direction;
   v.tangent = surface.tangent;
+  v.previous_cosine_g = -dot(v.ng, w.direction);
+  v.previous_cosine_s = -dot(v.ns, w.direction);
   v.previous_reverse = 0;
   v.throughput = w.throughput;
   v.reflectance = surface.reflectance;
@@ -217,7 +222,7 @@ void Block::escape(const Walker& w) {
   Vertex z{};
   z.geometry = w.cosine;  // a direction has no area: the edge's factor is the cosine at its other end
   z.density = w.projected * z.geometry;
-  z.sums = z.geometry / w.density * w.sums;
+  z.sums = w.count == 1 ? 0 : z.geometry / w.density * w.sums;  // no (2,0): see hit_sensor
   z.previous = -w.direction;
   z.throughput = w.throughput;
   z.previous_index = w.vertex;
@@ -244,13 +249,15 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
     Edge edge;
     edge.light_at_z = position;
     edge.light_before_z = direction * z.geometry;
-    weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, direct / position, true, !x0.infinite);
+    weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true, !x0.infinite);
   }
   add_eye(w.sample, 0, z.count, w.throughput * radiance * weight);
 }
 
 // t = 0: the light subpath passes through the sensor, which is no surface of the scene; it is counted and goes on.
 void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
+  // Not straight from a light without a point: its rays need not cover a lens that lies outside of the scene.
+  if (w.infinite) return;
   const uint32_t s = w.count + 1;
   if (!engine_.allows(s, 0) || (engine_.options.max_edges > 0 && w.count > uint32_t(engine_.options.max_edges))) return;
   SensorPoint z0;
@@ -263,7 +270,7 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   float weight = 1;
   if (engine_.running_sums) {
     const TechniqueClasses& c = engine_.classes;
-    const bool exists = !w.specular && (corner ? c.corner && w.start_finite : c.t1);
+    const bool exists = !w.specular && (corner ? c.corner : c.t1);
     const float sums = geometry / w.density * w.sums;
     weight = engine_.heuristic.weight(
         z0.density_position / density * engine_.heuristic.combine(exists ? 1 : 0, z0.density_direction * sums), 0);
@@ -284,7 +291,7 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
 void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   const TransportMode mode = w.eye ? TransportMode::Radiance : TransportMode::Importance;
   const Four u = engine_.draw((w.eye ? pool_.eye_streams : pool_.light_streams)[w.sample], v.count, Purpose::Scatter);
-  const float gp = dot(v.ng, v.previous), sp = dot(v.ns, v.previous);
+  const float gp = v.previous_cosine_g, sp = v.previous_cosine_s;
   if (!(gp * sp > 0)) return;
   const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
   const BsdfSample b = sample(*v.material, v.reflectance, frame.to_local(v.previous), mode, u.u);
@@ -325,7 +332,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.start_hittable = w.start_hittable;
   n.start_finite = w.start_finite;
   v.previous_reverse = reverse * v.geometry;
-  push_walker(next_walkers_, next_rays_, n, offset_toward(v.p, v.ng, next));
+  push_walker(next_walkers_, next_rays_, n, offset_toward(v.p, v.ng, next, engine_.offset_unit));
 }
 
 // --- shadow and accumulate ---

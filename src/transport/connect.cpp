@@ -37,7 +37,9 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  push_connection(between(offset_toward(y.p, y.ng, w), offset_toward(z.p, z.ng, -w)), c, sample, y.count, z.count);
+  const float unit = engine_.offset_unit;
+  push_connection(between(offset_toward(y.p, y.ng, w, unit), offset_toward(z.p, z.ng, -w, unit)), c, sample, y.count,
+                  z.count);
 }
 
 void Block::connect_to_light(const Vertex& z, uint32_t sample) {
@@ -77,11 +79,13 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  const Vec3 from = offset_toward(z.p, z.ng, w);
+  const float unit = engine_.offset_unit;
+  const Vec3 from = offset_toward(z.p, z.ng, w, unit);
   if (y0.infinite)
     push_connection({from, kInfinity, w}, c, sample, 1, z.count);
   else
-    push_connection(between(from, y0.has_area ? offset_toward(y0.p, y0.normal, -w) : y0.p), c, sample, 1, z.count);
+    push_connection(between(from, y0.has_area ? offset_toward(y0.p, y0.normal, -w, unit) : y0.p), c, sample, 1,
+                    z.count);
 }
 
 void Block::connect_to_sensor(const Vertex& y, uint32_t sample) {
@@ -113,7 +117,7 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  push_connection(between(offset_toward(y.p, y.ng, w), z0.p), c, sample, y.count, 1, z0.film);
+  push_connection(between(offset_toward(y.p, y.ng, w, engine_.offset_unit), z0.p), c, sample, y.count, 1, z0.film);
 }
 
 void Block::connect_start_to_sensor(uint32_t sample) {
@@ -148,7 +152,8 @@ void Block::connect_start_to_sensor(uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  push_connection(between(y0.has_area ? offset_toward(y0.p, y0.normal, w) : y0.p, z0.p), c, sample, 1, 1, z0.film);
+  const Vec3 from = y0.has_area ? offset_toward(y0.p, y0.normal, w, engine_.offset_unit) : y0.p;
+  push_connection(between(from, z0.p), c, sample, 1, 1, z0.film);
 }
 
 float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,

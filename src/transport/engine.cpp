@@ -31,6 +31,8 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   hit_sensor = false;
   for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
   if (scene.lights().empty()) max_eye = max_light = 0;
+  const float size = length(scene.info().bounds_max - scene.info().bounds_min);
+  offset_unit = size > 0 ? std::min(size, 1.0f) : 1.0f;
 }
 
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
@@ -48,8 +50,9 @@ Four Engine::draw_film(const Stream& stream, uint64_t pass, uint64_t number) con
   Four u = draw(stream, 0, Purpose::Start);
   if (options.sampler == SamplerType::Stratified) {
     const uint32_t n = uint32_t(options.strata), cells = n * n;
-    const uint64_t round = pass / cells;
-    const uint32_t cell = permute(uint32_t(pass % cells), cells, uint32_t(hash_values(seed, 3, number, round)));
+    const uint64_t groups = uint64_t(film.desc().groups), point = pass / groups;
+    const uint64_t order = hash_values(seed, 3, pass % groups, number, point / cells);
+    const uint32_t cell = permute(uint32_t(point % cells), cells, uint32_t(order));
     u.u[0] = std::min((float(cell % n) + u.u[0]) / float(n), 0x1.fffffep-1f);
     u.u[1] = std::min((float(cell / n) + u.u[1]) / float(n), 0x1.fffffep-1f);
   }

@@ -35,7 +35,7 @@ bool exists(const PathTechniques& path, const TechniqueMask& mask, int i) {
   const int k = path.count - 1, t = k + 1 - i;
   if (!mask.allows(i, t)) return false;
   if (i == 0) return path.s0_exists;
-  if (t == 0) return path.t0_exists;
+  if (t == 0) return path.t0_exists && (i > 2 || path.corner_exists);
   if (i == 1 && t == 1 && !path.corner_exists) return false;
   return !path.vertices[i - 1].specular && !path.vertices[i].specular;
 }

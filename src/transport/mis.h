@@ -31,13 +31,12 @@ class PowerHeuristic {
 
   // || a, b ||, for a, b >= 0.
   float combine(float a, float b) const {
+    const float larger = a > b ? a : b, smaller = a > b ? b : a;
     if (kind_ == 2) {
-      const float larger = a > b ? a : b;
       if (larger < 1e18f) return std::sqrt(a * a + b * b);
-      return larger;
+      return std::isinf(larger) ? larger : larger * std::sqrt(1 + (smaller / larger) * (smaller / larger));
     }
     if (kind_ == 1) return a + b;
-    const float larger = a > b ? a : b, smaller = a > b ? b : a;
     if (!(larger > 0) || std::isinf(larger)) return larger;
     return larger * std::pow(1 + std::pow(smaller / larger, beta_), inverse_);
   }
@@ -71,7 +70,7 @@ struct PathVertex {
 
 // The plain loop over (10.9): the reference for the running sums, and the way of the heuristics that are not sums.
 // vertices are x_0 ... x_k; direct is P_A^d(x_0) / P_A(x_0); s0_exists is false where eye subpaths cannot hit x_0,
-// t0_exists where light subpaths cannot hit x_k, corner_exists where (1,1) is not done for this light.
+// t0_exists where light subpaths cannot hit x_k, corner_exists where neither (1,1) nor (2,0) is done: x_0 is no point.
 struct PathTechniques {
   const PathVertex* vertices;
   int count;  // k + 1

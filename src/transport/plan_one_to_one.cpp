@@ -10,7 +10,7 @@ void plan_one_to_one(Block& block) {
     // The plan runs from the subpaths' ends to their starts, along the links each vertex has to the one before.
     for (uint32_t i = pool.last_eye[sample]; i != kNoVertex; i = pool.eye[i].previous_index) {
       const Vertex& z = pool.eye[i];
-      if (z.specular) continue;
+      if (z.specular || is_black(z.throughput)) continue;
       if (z.count <= max_edges && engine.allows(1, z.count)) block.connect_to_light(z, sample);
       for (uint32_t j = pool.last_light[sample]; j != kNoVertex; j = pool.light[j].previous_index) {
         const Vertex& y = pool.light[j];

@@ -36,6 +36,8 @@ struct Vertex {
   uint32_t previous_index;   // in the block's vertices of this side; kNoVertex for y_1 and z_1
   float previous_density;    // P_A of the previous vertex, as its own side samples it
   float direct;              // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
+  float previous_cosine_g;   // of previous with ng
+  float previous_cosine_s;   // of previous with ns
   uint32_t count;            // vertices of the subpath up to and with this one: s or t
   bool specular;             // no connection is made here
   bool start_hittable;       // light side: eye subpaths can hit y_0
@@ -54,7 +56,7 @@ struct Scattering {
 
 // False where nothing is scattered from one direction into the other.
 inline bool scatter(const Vertex& v, const Vec3& next, TransportMode mode, Scattering& out) {
-  const float gn = dot(v.ng, next), sn = dot(v.ns, next), gp = dot(v.ng, v.previous), sp = dot(v.ns, v.previous);
+  const float gn = dot(v.ng, next), sn = dot(v.ns, next), gp = v.previous_cosine_g, sp = v.previous_cosine_s;
   if (!(gn * sn > 0) || !(gp * sp > 0)) return false;  // the two normals disagree about the side: light would leak
   float next_density, previous_density;
   if (v.material->type == MaterialType::Diffuse) {
@@ -78,9 +80,10 @@ inline bool scatter(const Vertex& v, const Vec3& next, TransportMode mode, Scatt
 }
 
 // A point just off the surface at p, on the side toward which n points, by a distance that scales with the coordinates
-// (Waechter and Binder 2019).
-inline Vec3 offset(const Vec3& p, const Vec3& n) {
-  constexpr float origin = 1.0f / 32, float_scale = 1.0f / 65536, int_scale = 256;
+// (Waechter and Binder 2019). unit is the size for which their constants are made: 1, or that of a smaller scene.
+inline Vec3 offset(const Vec3& p, const Vec3& n, float unit) {
+  const float origin = unit / 32, float_scale = unit / 65536;
+  constexpr float int_scale = 256;
   const auto one = [&](float x, float nx) {
     if (std::fabs(x) < origin) return x + float_scale * nx;
     const int32_t step = int32_t(int_scale * nx);
@@ -88,6 +91,8 @@ inline Vec3 offset(const Vec3& p, const Vec3& n) {
   };
   return {one(p.x, n.x), one(p.y, n.y), one(p.z, n.z)};
 }
-inline Vec3 offset_toward(const Vec3& p, const Vec3& ng, const Vec3& w) { return offset(p, dot(ng, w) < 0 ? -ng : ng); }
+inline Vec3 offset_toward(const Vec3& p, const Vec3& ng, const Vec3& w, float unit) {
+  return offset(p, dot(ng, w) < 0 ? -ng : ng, unit);
+}
 
 }  // namespace bdpt

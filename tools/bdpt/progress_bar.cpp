@@ -49,15 +49,16 @@ std::int32_t ProgressBar::callback(void* user, const bdpt_progress* progress) {
 
 void ProgressBar::draw(const bdpt_progress& progress) {
   const auto filled = static_cast<std::size_t>(progress.fraction * kBarWidth);
-  std::string line = "[" + std::string(filled, '#') + std::string(kBarWidth - std::min(filled, kBarWidth), '.') + "] ";
+  std::string line = "[";
+  line.append(filled, '#').append(kBarWidth - std::min(filled, kBarWidth), '.').append("] ");
   char text[96];
   std::snprintf(text, sizeof text, "%5.1f%%  pass %llu", 100 * progress.fraction,
                 static_cast<unsigned long long>(progress.passes));
   line += text;
   if (progress.seconds > 0)
-    line += "  " + format_rate(static_cast<double>(progress.samples) / progress.seconds) + "samples/s";
+    line.append("  ").append(format_rate(static_cast<double>(progress.samples) / progress.seconds)).append("samples/s");
   if (progress.fraction > 0) {
-    line += "  " + format_seconds(progress.seconds * (1 - progress.fraction) / progress.fraction) + " left";
+    line.append("  ").append(format_seconds(progress.seconds * (1 - progress.fraction) / progress.fraction)).append(" left");
   }
   const std::size_t width = line.size();
   if (width < drawn_) line += std::string(drawn_ - width, ' ');
