@@ -62,11 +62,11 @@ bdpt_tool::SceneDescription built_in_scene() {
   const int light = make.material(BDPT_MATERIAL_DIFFUSE, {0, 0, 0}, {17, 12, 4});
   const int mirror = make.material(BDPT_MATERIAL_MIRROR, {0.95f, 0.95f, 0.95f});
   const int glass = make.material(BDPT_MATERIAL_DIELECTRIC, {1, 1, 1});
-  make.quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, white);      // floor
-  make.quad({-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}, white);      // ceiling
-  make.quad({-1, 0, -1}, {1, 0, -1}, {1, 2, -1}, {-1, 2, -1}, white);    // back
-  make.quad({-1, 0, 1}, {-1, 0, -1}, {-1, 2, -1}, {-1, 2, 1}, red);      // left
-  make.quad({1, 0, -1}, {1, 0, 1}, {1, 2, 1}, {1, 2, -1}, green);        // right
+  make.quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, white);    // floor
+  make.quad({-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}, white);    // ceiling
+  make.quad({-1, 0, -1}, {1, 0, -1}, {1, 2, -1}, {-1, 2, -1}, white);  // back
+  make.quad({-1, 0, 1}, {-1, 0, -1}, {-1, 2, -1}, {-1, 2, 1}, red);    // left
+  make.quad({1, 0, -1}, {1, 0, 1}, {1, 2, 1}, {1, 2, -1}, green);      // right
   make.quad({-0.25f, 1.98f, -0.25f}, {0.25f, 1.98f, -0.25f}, {0.25f, 1.98f, 0.25f}, {-0.25f, 1.98f, 0.25f}, light);
   make.sphere({-0.45f, 0.4f, -0.35f}, 0.4f, mirror);
   make.sphere({0.45f, 0.4f, 0.3f}, 0.4f, glass);

@@ -34,9 +34,12 @@ std::string version_name(std::uint32_t version, std::uint32_t base) {
 std::string isa_name() {
   const bdpt::RayDevice device(bdpt::Isa::Best, std::make_shared<bdpt::MemoryMeter>(0));
   switch (device.isa()) {
-    case bdpt::Isa::Avx512: return "AVX-512";
-    case bdpt::Isa::Avx2: return "AVX2";
-    default: return "SSE4.2";
+    case bdpt::Isa::Avx512:
+      return "AVX-512";
+    case bdpt::Isa::Avx2:
+      return "AVX2";
+    default:
+      return "SSE4.2";
   }
 }
 

@@ -60,9 +60,7 @@ class SceneBenchmark {
   }
 
  private:
-  static void say(const std::string& scene, const char* what) {
-    std::fprintf(stderr, "%s: %s\n", scene.c_str(), what);
-  }
+  static void say(const std::string& scene, const char* what) { std::fprintf(stderr, "%s: %s\n", scene.c_str(), what); }
 
   MemoryResult measure_memory() const {
     RenderRun run(scene_, contestants_.back()->integrator, all_);
@@ -126,8 +124,9 @@ class SceneBenchmark {
   StageShares shares(const Contestant& c) const {
     const bdpt::TransportStats& s = c.stats;
     const double whole = c.stats_seconds * double(options_.threads);
-    StageShares shares{s.start / whole,  (s.extend - s.extend_rays) / whole, s.extend_rays / whole, s.connect / whole,
-                       s.shadow / whole, s.accumulate / whole};
+    StageShares shares{s.start / whole,       (s.extend - s.extend_rays) / whole,
+                       s.extend_rays / whole, s.connect / whole,
+                       s.shadow / whole,      s.accumulate / whole};
     shares.rest = 1 - (s.start + s.extend + s.connect + s.shadow + s.accumulate) / whole;
     return shares;
   }

@@ -33,8 +33,6 @@ std::optional<Verdict> judge_efficiency(const SceneResult& scene, const Integrat
   return Verdict{"efficiency_over_pbrt", result.efficiency * kPbrtRelativeVariance * seconds, 10, false};
 }
 
-Verdict judge_memory(const SceneResult& scene) {
-  return {"memory", scene.memory.used / scene.memory.allowed, 1, true};
-}
+Verdict judge_memory(const SceneResult& scene) { return {"memory", scene.memory.used / scene.memory.allowed, 1, true}; }
 
 }  // namespace bdpt_benchmark

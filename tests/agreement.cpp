@@ -45,7 +45,8 @@ Mean mean_of(const std::vector<double>& values) {
   return {mean, std::sqrt(squares / (n - 1) / n), int(values.size()) - 1};
 }
 
-SceneUnderTest load_scene(const std::string& path, const Frame& frame, std::uint32_t max_edges, Diagnostics& diagnostics) {
+SceneUnderTest load_scene(const std::string& path, const Frame& frame, std::uint32_t max_edges,
+                          Diagnostics& diagnostics) {
   const std::uint32_t rows = frame.rows > 0 ? frame.rows : frame.height;
   SceneUnderTest scene{make_context(0, diagnostics), {}, {}, frame.width, rows, max_edges};
   SceneDescription description = read_scene(path, diagnostics);
@@ -78,13 +79,15 @@ BlockMeans render_blocks(const SceneUnderTest& scene, const Variant& variant, in
     desc.max_edges = scene.max_edges;
     desc.sampler = BDPT_SAMPLER_INDEPENDENT;
     std::copy(variant.techniques.begin(), variant.techniques.end(), desc.techniques);
-    auto render = make<Render>("the render", bdpt_render_create, scene.scene.get(), scene.sensor.get(), film.get(), &desc);
+    auto render =
+        make<Render>("the render", bdpt_render_create, scene.scene.get(), scene.sensor.get(), film.get(), &desc);
     auto advance = sized<bdpt_advance_desc>();
     advance.passes = variant.passes;
     check(bdpt_render_advance(render.get(), &advance, nullptr), "rendering");
 
     std::vector<double> plain(blocks), planted(blocks);
-    add_blocks(read_layer(film.get(), scene.width, scene.height, BDPT_LAYER_COLOR), scene.width, scene.height, 1, plain);
+    add_blocks(read_layer(film.get(), scene.width, scene.height, BDPT_LAYER_COLOR), scene.width, scene.height, 1,
+               plain);
     planted = plain;
     for (std::uint32_t s = 0; plant && s <= scene.max_edges + 1; ++s)
       for (std::uint32_t t = 0; s + t <= scene.max_edges + 1; ++t)
@@ -136,8 +139,9 @@ Agreement compare_blocks(const std::vector<std::vector<double>>& a, const std::v
     result.worst = std::max(result.worst, std::fabs(x.value - y.value) / threshold);
     result.widest = std::max(result.widest, threshold / y.value);
     char line[200];
-    std::snprintf(line, sizeof line, "  block %2zu: %.6g and %.6g, differ by %+.3f %%, errors %.3f %% and %.3f %%, threshold %.3f %%\n",
-                  i, x.value, y.value, 100 * (x.value / y.value - 1), 100 * x.error / x.value, 100 * y.error / y.value,
+    std::snprintf(line, sizeof line,
+                  "  block %2zu: %.6g and %.6g, differ by %+.3f %%, errors %.3f %% and %.3f %%, threshold %.3f %%\n", i,
+                  x.value, y.value, 100 * (x.value / y.value - 1), 100 * x.error / x.value, 100 * y.error / y.value,
                   100 * threshold / y.value);
     result.table += line;
   }

@@ -15,7 +15,7 @@ namespace bdpt_tool {
 struct Variant {
   std::string name;
   TechniqueMask techniques;
-  std::uint64_t passes = 1;   // of each seed
+  std::uint64_t passes = 1;    // of each seed
   TechniqueMask planted = {};  // a factor of 1.02 on these must be noticed
 };
 
@@ -42,7 +42,8 @@ Mean mean_of(const std::vector<double>& values);
 struct Frame {
   std::uint32_t width, height, rows = 0;
 };
-SceneUnderTest load_scene(const std::string& path, const Frame& frame, std::uint32_t max_edges, Diagnostics& diagnostics);
+SceneUnderTest load_scene(const std::string& path, const Frame& frame, std::uint32_t max_edges,
+                          Diagnostics& diagnostics);
 
 BlockMeans render_blocks(const SceneUnderTest& scene, const Variant& variant, int seeds, std::uint64_t first_seed);
 
@@ -51,8 +52,8 @@ double student_quantile(double chance, double degrees);
 
 // How two sets of block means compare.
 struct Agreement {
-  double worst = 0;            // largest deviation over its threshold: at most 1 where they agree
-  double widest = 0;           // largest threshold over the block's mean
+  double worst = 0;             // largest deviation over its threshold: at most 1 where they agree
+  double widest = 0;            // largest threshold over the block's mean
   double family_chance = 0.01;  // that any block of a true agreement fails
   std::string table;
 };

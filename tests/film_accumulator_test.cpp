@@ -23,14 +23,16 @@ std::vector<float> random_values(size_t n) {
   statistics::Uniform uniform(1);
   std::vector<float> values;
   for (size_t i = 0; i < n; ++i)
-    values.push_back((uniform() - 0.4f) * std::exp2(90 * uniform() - 50) * (uniform() < 0.02f ? Accumulator::kMaximum * 0x1p-40f : 1));
+    values.push_back((uniform() - 0.4f) * std::exp2(90 * uniform() - 50) *
+                     (uniform() < 0.02f ? Accumulator::kMaximum * 0x1p-40f : 1));
   return values;
 }
 
 TEST(FilmAccumulator, HoldsEveryFloatOfItsRangeExactly) {
   // 24 bits from 2^-24 on are whole steps of 2^-48.
   for (float v = 0x1.abcdep-24f; v <= Accumulator::kMaximum; v *= 1.9f)
-    for (float signed_v : {v, -v, std::nextafter(v, 0.0f)}) EXPECT_EQ(sum_of({signed_v}).value(), double(signed_v)) << v;
+    for (float signed_v : {v, -v, std::nextafter(v, 0.0f)})
+      EXPECT_EQ(sum_of({signed_v}).value(), double(signed_v)) << v;
   EXPECT_EQ(sum_of({Accumulator::kMaximum}).value(), double(Accumulator::kMaximum));
   EXPECT_EQ(sum_of({-Accumulator::kMaximum}).value(), -double(Accumulator::kMaximum));
 }

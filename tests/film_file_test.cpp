@@ -169,9 +169,9 @@ TEST_F(FilmFile, WhatDoesNotFitIsNotMergedAndChangesNothing) {
   groups.groups = 2;
   pyramid.pyramid_edges = 1;
   normalized.normalize_by_weights = false;
-  const std::shared_ptr<Film> misfits[] = {filled(wider, 3, 1),      filled(filter, 3, 1),  filled(groups, 3, 1),
-                                           filled(pyramid, 3, 1),    filled(normalized, 3, 1), filled(desc(), 3, 1, 4),
-                                           filled(desc(), 2, 3),     filled(desc(), 0, 1)};
+  const std::shared_ptr<Film> misfits[] = {filled(wider, 3, 1),   filled(filter, 3, 1),     filled(groups, 3, 1),
+                                           filled(pyramid, 3, 1), filled(normalized, 3, 1), filled(desc(), 3, 1, 4),
+                                           filled(desc(), 2, 3),  filled(desc(), 0, 1)};
   for (const auto& other : misfits) EXPECT_EQ(code_of([&] { film->merge(*other); }), ErrorCode::Mismatch);
   EXPECT_EQ(code_of([&] { film->merge(*film); }), ErrorCode::InvalidArgument);
   EXPECT_EQ(code_of([&] { film->begin({3, 12, 12, 63}); }), ErrorCode::Mismatch);

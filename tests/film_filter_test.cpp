@@ -65,10 +65,12 @@ TEST(FilmFilter, SplatsThePixelsItCovers) {
     FilmDesc desc = film_desc(20, 18, 1);
     desc.filter = f.desc;
     const Filter filter(f.desc);
-    for (const FilmPosition& at : {FilmPosition(9.3f, 8.8f), FilmPosition(0.2f, 17.6f), FilmPosition(-0.4f, 3), FilmPosition(20.2f, -0.2f)}) {
+    for (const FilmPosition& at :
+         {FilmPosition(9.3f, 8.8f), FilmPosition(0.2f, 17.6f), FilmPosition(-0.4f, 3), FilmPosition(20.2f, -0.2f)}) {
       Film film(desc, nullptr);
       const SampleBounds bounds = film.sample_bounds();
-      if (at.x < float(bounds.x0) || at.x >= float(bounds.x1) || at.y < float(bounds.y0) || at.y >= float(bounds.y1)) continue;
+      if (at.x < float(bounds.x0) || at.x >= float(bounds.x1) || at.y < float(bounds.y0) || at.y >= float(bounds.y1))
+        continue;
       film.add_eye_sample(at, Rgb(1, 0, 0));
       film.add_light_sample(at, Rgb(0, 1, -1));
       film.add_technique_sample(1, 1, at, Rgb(0, 1, -1));

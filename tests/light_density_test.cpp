@@ -25,7 +25,8 @@ std::shared_ptr<const Scene> all_lights() {
   return b.build();
 }
 
-const Vec3 kPlaces[] = {Vec3(0.3f, 0.4f, 0.7f), Vec3(2.1f, 0.1f, 1.2f), Vec3(-2, 0, 1), Vec3(2, 0, 3), Vec3(0.1f, 0.2f, -3)};
+const Vec3 kPlaces[] = {Vec3(0.3f, 0.4f, 0.7f), Vec3(2.1f, 0.1f, 1.2f), Vec3(-2, 0, 1), Vec3(2, 0, 3),
+                        Vec3(0.1f, 0.2f, -3)};
 
 TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
   const auto scene = all_lights();
@@ -41,7 +42,8 @@ TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
       EXPECT_FLOAT_EQ(start.density_position, lights.position_density(start.y0, evenly));
       EXPECT_FLOAT_EQ(start.density_direction, lights.direction_density(start.y0, start.direction));
       EXPECT_NEAR(length(start.direction), 1, 1e-5);
-      const Rgb radiance = start.y0.infinite ? lights.environment_radiance() : lights.emitted(start.y0, start.direction);
+      const Rgb radiance =
+          start.y0.infinite ? lights.environment_radiance() : lights.emitted(start.y0, start.direction);
       const double expected = double(radiance.g) / (double(start.density_position) * start.density_direction);
       EXPECT_NEAR(start.weight.g, expected, 1e-5 * expected);
     }
@@ -62,8 +64,9 @@ TEST(LightDensity, StartsCarryThePower) {
   }
   const Vec3 size = scene->info().bounds_max - scene->info().bounds_min;
   const double r2 = 0.25 * double(length_squared(size));
-  const double expected[] = {1 * M_PI * 2, 2 * M_PI * disk * 2, 3 * M_PI * 4 * M_PI * 0.25, M_PI * 4 * M_PI * 0.49 * 2,
-                             2 * 4 * M_PI, 5 * spot, 0.5 * 4 * M_PI * M_PI * r2};
+  const double expected[] = {
+      1 * M_PI * 2, 2 * M_PI * disk * 2,       3 * M_PI * 4 * M_PI * 0.25, M_PI * 4 * M_PI * 0.49 * 2, 2 * 4 * M_PI,
+      5 * spot,     0.5 * 4 * M_PI * M_PI * r2};
   for (const bool evenly : {false, true}) {
     Uniform uniform(2);
     std::vector<Estimate> power(lights.count());
@@ -140,7 +143,8 @@ TEST(LightDensity, OfDirectLightingIsWhatItSamples) {
     const double area = 2 * M_PI * double(radius) * radius * (1 - least) / 4;
     // Rounding at the rim matters where the cap's cosine hardly changes.
     for (int j = 1; j < 4; ++j)
-      EXPECT_LT(deviation(zone[j], area, 2e-3 * area), kMaxDeviation + 0.5) << "distance " << distance << ", zone " << j;
+      EXPECT_LT(deviation(zone[j], area, 2e-3 * area), kMaxDeviation + 0.5)
+          << "distance " << distance << ", zone " << j;
   }
 }
 

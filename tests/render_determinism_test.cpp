@@ -54,7 +54,8 @@ class RenderDeterminism : public ::testing::TestWithParam<SamplerType> {
   }
   std::string expected() const { return bytes(*filled({.block_size = 64, .executor = threads(1)})); }
 
-  ScenePointer scene_ = scenes::room({.contents = scenes::Contents::Specular, .points = true, .environment = true}).build();
+  ScenePointer scene_ =
+      scenes::room({.contents = scenes::Contents::Specular, .points = true, .environment = true}).build();
   SensorPointer camera_ = scenes::camera(scenes::room_view_through_lens(), kWidth, kHeight);
   TempFolder folder_;
 };

@@ -25,7 +25,8 @@ class RenderPyramid : public ::testing::TestWithParam<std::tuple<bool, FilterTyp
 
 TEST_P(RenderPyramid, SumsToThePicture) {
   const Picture p = picture();
-  const std::vector<float> color = read(*p.film), eye = read(*p.film, FilmLayer::Eye), light = read(*p.film, FilmLayer::Light);
+  const std::vector<float> color = read(*p.film), eye = read(*p.film, FilmLayer::Eye),
+                           light = read(*p.film, FilmLayer::Light);
   std::vector<double> sums(color.size()), light_sums(color.size()), scale(color.size());
   for (int k = 1; k <= kMaxEdges; ++k)
     for (int s = 0; s <= k + 1; ++s) {

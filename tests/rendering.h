@@ -171,7 +171,8 @@ inline void expect_same(const BlockMeans& a, const BlockMeans& b, size_t family,
   EXPECT_EQ(a.rejected + b.rejected, 0u) << what;
 }
 
-inline void expect_value(const Estimate& a, double value, size_t family, const std::string& what, double tolerance = 0) {
+inline void expect_value(const Estimate& a, double value, size_t family, const std::string& what,
+                         double tolerance = 0) {
   EXPECT_GT(chance(a, value, tolerance), statistics::kSignificance / double(family))
       << what << ": " << a.mean() << " +- " << a.standard_error() << " should be " << value;
 }

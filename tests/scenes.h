@@ -120,7 +120,8 @@ inline MeshData ball(const Vec3& center, float radius, int rows, bool smooth) {
   for (int i = 0; i <= rows; ++i)
     for (int j = 0; j < columns; ++j) {
       const double theta = M_PI * i / rows, phi = 2 * M_PI * j / columns;
-      const Vec3 n(float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)), float(std::sin(theta) * std::sin(phi)));
+      const Vec3 n(float(std::sin(theta) * std::cos(phi)), float(std::cos(theta)),
+                   float(std::sin(theta) * std::sin(phi)));
       m.positions.push_back(center + n * radius);
       if (smooth) m.normals.push_back(n);
     }

@@ -75,8 +75,8 @@ TEST(SensorCamera, StartAndHitAgree) {
       if (!found) {
         const Vec2 from_rim(std::min(film.x - float(bounds.x0), float(bounds.x1) - film.x),
                             std::min(film.y - float(bounds.y0), float(bounds.y1) - film.y));
-        EXPECT_TRUE(from_rim.x < margin || from_rim.y < margin || u[0] < 0.01f || u[0] > 0.99f || u[1] < 0.01f || u[1] > 0.99f ||
-                    kind.desc.aperture_blades > 0)
+        EXPECT_TRUE(from_rim.x < margin || from_rim.y < margin || u[0] < 0.01f || u[0] > 0.99f || u[1] < 0.01f ||
+                    u[1] > 0.99f || kind.desc.aperture_blades > 0)
             << kind.name;
         continue;
       }
@@ -169,9 +169,11 @@ TEST(SensorCamera, AreaOfTheLensIsThatOfItsDensity) {
     Estimate inside;
     const float square = 4 * d.lens_radius * d.lens_radius;
     const float centre[2] = {0.5f, 0.5f};
-    const Vec3 direction = camera.start({float(camera.width()) / 2, float(camera.height()) / 2}, centre, bounds).direction;
+    const Vec3 direction =
+        camera.start({float(camera.width()) / 2, float(camera.height()) / 2}, centre, bounds).direction;
     for (int i = 0; i < 100000; ++i) {
-      const Vec3 p = d.transform.column(3) + right * (d.lens_radius * (2 * uniform() - 1)) + up * (d.lens_radius * (2 * uniform() - 1));
+      const Vec3 p = d.transform.column(3) + right * (d.lens_radius * (2 * uniform() - 1)) +
+                     up * (d.lens_radius * (2 * uniform() - 1));
       SensorPoint seen;
       const bool found = camera.hit(p + direction, -direction, 100, bounds, seen);
       inside.add(found ? double(seen.density_position) * square : 0);
@@ -213,7 +215,8 @@ TEST(SensorCamera, CropIsAPartOfTheWholePicture) {
   EXPECT_NE(part.hash(), whole.hash());
   const float u[2] = {0.5f, 0.5f};
   for (float x : {0.0f, 1.5f, 5.0f}) {
-    const Vec3 a = part.start({x, x}, u, {0, 0, 5, 6}).direction, b = whole.start({x + 4, x + 2}, u, {0, 0, 20, 10}).direction;
+    const Vec3 a = part.start({x, x}, u, {0, 0, 5, 6}).direction,
+               b = whole.start({x + 4, x + 2}, u, {0, 0, 20, 10}).direction;
     EXPECT_NEAR(length(a - b), 0, 1e-6);
   }
 }

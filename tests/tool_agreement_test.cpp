@@ -17,11 +17,11 @@ struct Case {
   const char* name;
   const char* file;
   std::uint32_t width, height, max_edges;
-  std::uint64_t passes, bdpt_passes;  // for each seed
+  std::uint64_t passes, bdpt_passes;    // for each seed
   std::vector<std::uint32_t> left_out;  // blocks: light tracing does not see through specular surfaces (veach_bidir);
                                         // small lamps in smooth plates, caustics by chance take hours, see full()
-  std::uint32_t rows = 0;             // of the image that are measured, from the top; 0 = all
-  bool lights_seen = true;            // false: without paths of one edge, for lights so small that s = 0 misses them
+  std::uint32_t rows = 0;               // of the image that are measured, from the top; 0 = all
+  bool lights_seen = true;              // false: without paths of one edge, for lights so small that s = 0 misses them
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }

@@ -41,7 +41,8 @@ TEST_P(Reference, AgreesInEveryBlock) {
   const std::string shared = BDPT_SHARED_DIR;
   const std::string scene_path = shared + "/scenes/bitterli/" + c.name + "/scene-v4-grey.pbrt";
   const std::string reference_path = shared + "/references/" + c.name + "-grey.json";
-  if (!std::filesystem::exists(scene_path) || !std::filesystem::exists(reference_path)) GTEST_SKIP() << "no " << reference_path;
+  if (!std::filesystem::exists(scene_path) || !std::filesystem::exists(reference_path))
+    GTEST_SKIP() << "no " << reference_path;
 
   const std::vector<Mean> reference = read_reference(reference_path);
   Diagnostics diagnostics(false);
@@ -59,8 +60,8 @@ TEST_P(Reference, AgreesInEveryBlock) {
     const double noise = std::hypot(std::max(reference[i].error, usual * reference[i].value), m.error);
     EXPECT_NEAR(m.value, reference[i].value, 4 * noise + 0.01 * reference[i].value) << "block " << i;
     if (std::getenv("BDPT_VALIDATE_TABLES"))
-      std::printf("  %s block %2zu: %.6g, reference %.6g, differ by %+.2f %%, errors %.2f %% and %.2f %%\n", c.name, i, m.value,
-                  reference[i].value, 100 * (m.value / reference[i].value - 1), 100 * m.error / m.value,
+      std::printf("  %s block %2zu: %.6g, reference %.6g, differ by %+.2f %%, errors %.2f %% and %.2f %%\n", c.name, i,
+                  m.value, reference[i].value, 100 * (m.value / reference[i].value - 1), 100 * m.error / m.value,
                   100 * reference[i].error / reference[i].value);
   }
 }

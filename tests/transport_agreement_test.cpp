@@ -49,8 +49,9 @@ Way by(const std::string& name, Heuristic heuristic, float beta = 2, float cutof
   return w;
 }
 std::vector<Way> heuristics() {
-  return {by("balance", Heuristic::Balance), by("power 1", Heuristic::Power, 1), by("power 3.5", Heuristic::Power, 3.5f),
-          by("cutoff", Heuristic::Cutoff, 2, 0.1f), by("maximum", Heuristic::Maximum)};
+  return {by("balance", Heuristic::Balance), by("power 1", Heuristic::Power, 1),
+          by("power 3.5", Heuristic::Power, 3.5f), by("cutoff", Heuristic::Cutoff, 2, 0.1f),
+          by("maximum", Heuristic::Maximum)};
 }
 
 // Each way against each other and against all techniques; `effort` multiplies the passes.
@@ -72,7 +73,7 @@ void expect_agreement(const RoomOptions& room, const scenes::Viewpoint& view, st
 
 TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureOfADiffuseRoom) {
   expect_agreement({.points = true}, scenes::room_view(),
-                   {path(), light(), two_way(), no_light_image(), no_hits(), odd()}, 6);
+                   {path(), light(), two_way(), no_light_image(), no_hits(), odd()}, 4);
 }
 
 TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureThroughALens) {
@@ -81,11 +82,11 @@ TEST(TransportAgreement, EverySubsetOfTechniquesGivesTheSamePictureThroughALens)
 }
 
 TEST(TransportAgreement, EveryHeuristicGivesTheSamePicture) {
-  expect_agreement({.contents = Contents::Glossy, .points = true}, scenes::room_view(), heuristics(), 1);
+  expect_agreement({.contents = Contents::Glossy, .points = true}, scenes::room_view(), heuristics(), 2);
 }
 
 TEST(TransportAgreement, EveryHeuristicGivesTheSamePictureThroughALensWithUniformLightStart) {
-  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), 1, true);
+  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), 2, true);
 }
 
 TEST(TransportAgreement, GlossySurfacesAndAnEnvironment) {
@@ -124,7 +125,8 @@ TEST(TransportAgreement, PlainAverageOfDirectLighting) {
   TransportOptions options = options_for(mask, 2);
   const BlockMeans power = block_means(scene, camera, options, {});
   options.heuristic = Heuristic::Average;
-  expect_same(block_means(scene, camera, options, {.passes = 16, .first_seed = 2}), power, 1, "average against power 2");
+  expect_same(block_means(scene, camera, options, {.passes = 16, .first_seed = 2}), power, 1,
+              "average against power 2");
 }
 
 }  // namespace

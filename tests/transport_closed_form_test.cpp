@@ -25,9 +25,7 @@ std::vector<Case> ways_of_direct_light() {
 // --- Direct light on a floor y = 0; the camera looks straight down on the origin, from beneath the light ---
 
 Viewpoint down(float height = 0.5f) { return {Vec3(0, height, 0), Vec3(0), 2}; }
-scenes::MeshData floor_quad() {
-  return scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1));
-}
+scenes::MeshData floor_quad() { return scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)); }
 
 void expect_floor(const Builder& builder, double radiance, const std::vector<Case>& cases, const std::string& what) {
   const ScenePointer scene = builder.build();
@@ -49,8 +47,9 @@ double corner_form_factor(double a, double b, double h) {
 TEST(TransportClosedForm, RectangleLightOnADiffuseFloor) {
   Builder b;
   b.add(floor_quad(), scenes::diffuse(0.5f));
-  b.add(scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f)),
-        scenes::emitter(Rgb(3)));
+  b.add(
+      scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f)),
+      scenes::emitter(Rgb(3)));
   double factor = 0;
   for (double x : {0.3, 0.5})
     for (double z : {0.2, 0.4}) factor += corner_form_factor(x, z, 0.6);
@@ -126,9 +125,11 @@ TEST(TransportClosedForm, LightTracingAloneGivesRadiance) {
       expected.push_back(sum);
     }
   Effort effort;
-  effort.passes = 150;
+  effort.passes = 512;
   effort.side = 4;
-  const BlockMeans m = block_means(scene, camera, options_for(kLight, 2), effort);
+  TransportOptions options = options_for(kLight, 2);
+  options.sampler = SamplerType::Sobol;
+  const BlockMeans m = block_means(scene, camera, options, effort);
   for (size_t i = 0; i < 4; ++i) expect_value(m.values[i], expected[i], 4, "quarter " + std::to_string(i), 3e-4);
 }
 

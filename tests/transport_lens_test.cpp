@@ -42,10 +42,14 @@ BlockMeans measure(bool glass, int blades, const std::function<bool(int, int)>& 
 TEST(TransportLens, LightHittingTheLensGivesThePictureOfLightTracingAndOfPathTracing) {
   for (int blades : {0, 5}) {
     const std::string name = blades ? "bladed, " : "round, ";
-    const BlockMeans hits = measure(false, blades, [](int, int t) { return t == 0; }, 20, 1, kMaxEdges);
-    const BlockMeans traced = measure(false, blades, [](int, int t) { return t == 1; }, 8, 2, kMaxEdges);
-    const BlockMeans eye = measure(false, blades, [](int, int t) { return t >= 2; }, 4, 3, kMaxEdges);
-    const BlockMeans all = measure(false, blades, [](int, int) { return true; }, 4, 4, kMaxEdges);
+    const BlockMeans hits = measure(
+        false, blades, [](int, int t) { return t == 0; }, 20, 1, kMaxEdges);
+    const BlockMeans traced = measure(
+        false, blades, [](int, int t) { return t == 1; }, 8, 2, kMaxEdges);
+    const BlockMeans eye = measure(
+        false, blades, [](int, int t) { return t >= 2; }, 4, 3, kMaxEdges);
+    const BlockMeans all = measure(
+        false, blades, [](int, int) { return true; }, 4, 4, kMaxEdges);
     expect_same(hits, eye, 6, name + "t = 0 and t >= 2");
     expect_same(traced, eye, 6, name + "t = 1 and t >= 2");
     expect_same(all, eye, 6, name + "all and t >= 2");
@@ -54,9 +58,12 @@ TEST(TransportLens, LightHittingTheLensGivesThePictureOfLightTracingAndOfPathTra
 
 // Through the glass light finds the lens by hits only, and eye subpaths find the light by hits or connections beyond.
 TEST(TransportLens, LightHittingTheLensThroughGlassGivesThePictureOfPathTracing) {
-  const BlockMeans hits = measure(true, 6, [](int, int t) { return t == 0; }, 24, 1, 7);
-  const BlockMeans eye = measure(true, 6, [](int, int t) { return t >= 2; }, 6, 2, 7);
-  const BlockMeans light = measure(true, 6, [](int, int t) { return t <= 1; }, 12, 3, 7);
+  const BlockMeans hits = measure(
+      true, 6, [](int, int t) { return t == 0; }, 24, 1, 7);
+  const BlockMeans eye = measure(
+      true, 6, [](int, int t) { return t >= 2; }, 6, 2, 7);
+  const BlockMeans light = measure(
+      true, 6, [](int, int t) { return t <= 1; }, 12, 3, 7);
   expect_same(hits, eye, 2, "t = 0 and t >= 2");
   expect_same(light, eye, 2, "t <= 1 and t >= 2");
 }

@@ -33,7 +33,8 @@ Builder floor_and_walls() {
 }
 scenes::MeshData small_quad(const Vec3& center, float side) {
   const float h = side / 2;
-  return scenes::quad(center + Vec3(-h, 0, -h), center + Vec3(h, 0, -h), center + Vec3(h, 0, h), center + Vec3(-h, 0, h));
+  return scenes::quad(center + Vec3(-h, 0, -h), center + Vec3(h, 0, -h), center + Vec3(h, 0, h),
+                      center + Vec3(-h, 0, h));
 }
 
 void expect_sane(const Builder& builder, const std::string& what) {
@@ -83,7 +84,8 @@ TEST(TransportRobust, NeedlesAndGrazingLight) {
   scenes::MeshData needles;
   for (int i = 0; i < 50; ++i) {
     const float x = -0.9f + 0.03f * float(i);
-    needles.add_quad(Vec3(x, -0.999f, -0.9f), Vec3(x, -0.999f, 0.9f), Vec3(x + 1e-5f, 0.4f, 0.9f), Vec3(x + 1e-5f, 0.4f, -0.9f));
+    needles.add_quad(Vec3(x, -0.999f, -0.9f), Vec3(x, -0.999f, 0.9f), Vec3(x + 1e-5f, 0.4f, 0.9f),
+                     Vec3(x + 1e-5f, 0.4f, -0.9f));
   }
   b.add(needles, scenes::conductor(0.1f, 0.1f));
   b.add(scenes::quad(Vec3(-1, -0.99999f, -1), Vec3(-1, -0.99999f, 1), Vec3(1, -0.99999f, 1), Vec3(1, -0.99999f, -1)),

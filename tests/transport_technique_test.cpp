@@ -17,7 +17,7 @@ ScenePointer separate_panels() {
   b.add(scenes::ball(Vec3(0.3f, -0.2f, 0), 0.4f, 3, true), scenes::diffuse(0.8f));
   b.add(scenes::quad(Vec3(-1, 1.2f, -1), Vec3(1, 1.2f, -1), Vec3(1, 1.2f, 1), Vec3(-1, 1.2f, 1)),
         scenes::emitter(Rgb(2), false, 0.5f));
-  b.add_sphere(Vec3(1.3f, 0, 0.3f), 0.3f, scenes::emitter(Rgb(3), true));
+  b.add_sphere(Vec3(0.8f, 0.1f, 0.3f), 0.2f, scenes::emitter(Rgb(3)));
   return b.build();
 }
 
@@ -26,7 +26,7 @@ class TransportTechnique : public ::testing::TestWithParam<int> {};
 TEST_P(TransportTechnique, AloneGivesThePictureOfItsPaths) {
   const int k = GetParam();
   const ScenePointer scene = separate_panels();
-  scenes::Viewpoint view{Vec3(0.1f, 0, 2.2f), Vec3(0, -0.2f, 0), 50};
+  scenes::Viewpoint view{Vec3(0.1f, 0.1f, 1.9f), Vec3(0.1f, -0.3f, 0), 50};
   view.lens_radius = 0.4f;
   view.focus = 2;
   const SensorPointer camera = scenes::camera(view, 16, 16);
@@ -34,20 +34,21 @@ TEST_P(TransportTechnique, AloneGivesThePictureOfItsPaths) {
   for (int s = 0; s <= k + 1; ++s) {
     TransportOptions options = options_for(only(s, k + 1 - s), k);
     options.heuristic = Heuristic::None;
+    options.sampler = SamplerType::Sobol;  // the seeds are independent; each is the better for it
     options.roulette_start = 20;
-    // Both ends hit by chance what the others choose.
-    const uint64_t passes = s == k + 1 ? 600 : s == 0 ? 60 : 100;
+    // Hits are rare where the other techniques choose, and little of the light comes into the picture.
+    const uint64_t passes = s == k + 1 ? 1024 : s >= 2 ? 512 : 256;
     means.push_back(block_means(scene, camera, options, {.passes = passes, .first_seed = uint64_t(10 * k + s)}));
   }
   const size_t pairs = means.size() * (means.size() - 1) / 2;
   for (size_t i = 0; i < means.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       expect_same(means[i], means[j], pairs,
-                  "(" + std::to_string(i) + "," + std::to_string(k + 1 - int(i)) + ") against (" + std::to_string(j) + "," +
-                      std::to_string(k + 1 - int(j)) + ")");
+                  "(" + std::to_string(i) + "," + std::to_string(k + 1 - int(i)) + ") against (" + std::to_string(j) +
+                      "," + std::to_string(k + 1 - int(j)) + ")");
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEdges, TransportTechnique, ::testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(OfEdges, TransportTechnique, ::testing::Values(1, 2, 3));
 
 }  // namespace
 }  // namespace bdpt

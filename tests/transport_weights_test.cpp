@@ -48,7 +48,9 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   SensorPoint lens;
   EXPECT_TRUE(engine.sensor.hit(at(k - 1), unit(at(k) - at(k - 1)), 1e30f, engine.bounds, lens));
   const auto normal = [&](size_t i) {
-    return i == 0 ? (path.light.has_area ? &path.light.normal : nullptr) : i == k ? &lens.normal : &path.points[i].surface->ng;
+    return i == 0   ? (path.light.has_area ? &path.light.normal : nullptr)
+           : i == k ? &lens.normal
+                    : &path.points[i].surface->ng;
   };
   const auto geometry = [&](size_t i) { return geometry_factor(at(i), normal(i), at(i + 1), normal(i + 1)); };
   Densities d;
@@ -80,7 +82,8 @@ int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1
 
 void append(Path& path, const SubpathPool& pool, const Vertex& z) {  // z ... z_0, backwards
   const Vertex* v = &z;
-  for (; v; v = v->previous_index == kNoVertex ? nullptr : &pool.eye[v->previous_index]) path.points.push_back({v->p, v});
+  for (; v; v = v->previous_index == kNoVertex ? nullptr : &pool.eye[v->previous_index])
+    path.points.push_back({v->p, v});
   path.points.push_back({pool.eye_starts[0].p});
 }
 
@@ -121,7 +124,8 @@ std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
   for (uint32_t j = pool.last_light[0]; j != kNoVertex; j = pool.light[j].previous_index) {
     const Vertex& y = pool.light[j];
     SensorPoint lens;
-    if (!engine.sensor.sample_toward(y.p, engine.draw(pool.light_streams[0], y.count, Purpose::Connect).u, engine.bounds, lens))
+    if (!engine.sensor.sample_toward(y.p, engine.draw(pool.light_streams[0], y.count, Purpose::Connect).u,
+                                     engine.bounds, lens))
       continue;
     Path path = prefix(y);
     path.points.push_back({lens.p});
@@ -134,7 +138,9 @@ std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
 class OneSample {
  public:
   OneSample(const Scene& scene, const Sensor& sensor, const TransportOptions& options)
-      : film_(film_desc(kSize, kSize, kMaxEdges), nullptr), engine_(scene, sensor, film_, options, 7), block_(engine_) {}
+      : film_(film_desc(kSize, kSize, kMaxEdges), nullptr),
+        engine_(scene, sensor, film_, options, 7),
+        block_(engine_) {}
   Engine& engine() { return engine_; }
   const Block& block() const { return block_; }
   const Film& film() const { return film_; }
@@ -182,7 +188,8 @@ void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_
   options.uniform_light_start = uniform_light_start;
   OneSample plain(*scene, *camera, with(options, {"none", Heuristic::None}));
   std::vector<std::unique_ptr<OneSample>> weighted;
-  for (const Kind& kind : kHeuristics) weighted.push_back(std::make_unique<OneSample>(*scene, *camera, with(options, kind)));
+  for (const Kind& kind : kHeuristics)
+    weighted.push_back(std::make_unique<OneSample>(*scene, *camera, with(options, kind)));
 
   int compared = 0;
   for (uint64_t pass = 0; pass < 150; ++pass) {
@@ -201,10 +208,10 @@ void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_
         double sum = 0;
         for (int s = 0; s <= techniques.count; ++s) sum += reference_weight(techniques, s, o);
         EXPECT_NEAR(sum, 1, 1e-9) << what;
-        const double expected = reference_weight(techniques, p.s, o), weight = weighted[i]->contribution(p.s, p.t) / whole;
+        const double expected = reference_weight(techniques, p.s, o),
+                     weight = weighted[i]->contribution(p.s, p.t) / whole;
         // Where weights jump rounding decides.
-        if (kHeuristics[i].heuristic == Heuristic::Cutoff || kHeuristics[i].heuristic == Heuristic::Maximum)
-          continue;
+        if (kHeuristics[i].heuristic == Heuristic::Cutoff || kHeuristics[i].heuristic == Heuristic::Maximum) continue;
         EXPECT_NEAR(weight, expected, 2e-3 * expected + 1e-5) << what << ", pass " << pass;
         ++compared;
       }

@@ -55,8 +55,7 @@ void evaluate(benchmark::State& state, const bdpt::Material& material) {
   }
   std::uint32_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        bdpt::evaluate(material, material.reflectance, a[i], b[i], bdpt::TransportMode::Radiance));
+    benchmark::DoNotOptimize(bdpt::evaluate(material, material.reflectance, a[i], b[i], bdpt::TransportMode::Radiance));
     i = (i + 1) % kDraws;
   }
   state.SetItemsProcessed(state.iterations());

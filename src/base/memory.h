@@ -15,8 +15,8 @@ class MemoryMeter {
   // Books bytes, or throws Error(MemoryLimit) and books nothing.
   void add(uint64_t bytes, const char* what) {
     if (!try_add(bytes))
-      fail(ErrorCode::MemoryLimit, what, " needs ", bytes, " bytes; ", used_.load(), " of the context's memory_limit of ",
-           limit_, " are in use");
+      fail(ErrorCode::MemoryLimit, what, " needs ", bytes, " bytes; ", used_.load(),
+           " of the context's memory_limit of ", limit_, " are in use");
   }
   bool try_add(uint64_t bytes) {
     const uint64_t now = used_.fetch_add(bytes) + bytes;
@@ -52,7 +52,8 @@ class MemoryMeter {
 class Booking {
  public:
   Booking() = default;
-  Booking(std::shared_ptr<MemoryMeter> meter, uint64_t bytes, const char* what) : meter_(std::move(meter)), bytes_(bytes) {
+  Booking(std::shared_ptr<MemoryMeter> meter, uint64_t bytes, const char* what)
+      : meter_(std::move(meter)), bytes_(bytes) {
     if (meter_) meter_->add(bytes_, what);
   }
   Booking(Booking&& o) noexcept : meter_(std::move(o.meter_)), bytes_(o.bytes_) { o.meter_ = nullptr; }

@@ -52,9 +52,9 @@ uint64_t Film::passes_in_group(int group) const {
 
 void Film::begin(const FilmRecipe& recipe) {
   if (!is_empty() && !(recipe_ == recipe)) {
-    const char* what = recipe_.scene_hash != recipe.scene_hash         ? "another scene"
-                       : recipe_.seed != recipe.seed                   ? "another seed"
-                                                                       : "another sensor or other options";
+    const char* what = recipe_.scene_hash != recipe.scene_hash ? "another scene"
+                       : recipe_.seed != recipe.seed           ? "another seed"
+                                                               : "another sensor or other options";
     fail(ErrorCode::Mismatch, "film: it was filled with ", what, "; clear it, or take a new one");
   }
   recipe_ = recipe;
@@ -64,8 +64,10 @@ void Film::begin(const FilmRecipe& recipe) {
 template <class Add>
 void Film::splat(const FilmPosition& film, Add&& add) {
   const float r = filter_.radius();
-  const int x0 = std::max(0, int(std::ceil(film.x - 0.5f - r))), x1 = std::min(desc_.width - 1, int(std::floor(film.x - 0.5f + r)));
-  const int y0 = std::max(0, int(std::ceil(film.y - 0.5f - r))), y1 = std::min(desc_.height - 1, int(std::floor(film.y - 0.5f + r)));
+  const int x0 = std::max(0, int(std::ceil(film.x - 0.5f - r))),
+            x1 = std::min(desc_.width - 1, int(std::floor(film.x - 0.5f + r)));
+  const int y0 = std::max(0, int(std::ceil(film.y - 0.5f - r))),
+            y1 = std::min(desc_.height - 1, int(std::floor(film.y - 0.5f + r)));
   float hx[20];
   for (int x = x0; x <= x1; ++x) hx[x - x0] = filter_(film.x - (float(x) + 0.5f));
   for (int y = y0; y <= y1; ++y) {
@@ -207,7 +209,8 @@ void Film::read_group(int group, size_t pixel, double rgb[3]) const {
   for (int c = 0; c < 3; ++c) rgb[c] = sums.eye[c] * scale + (passes > 0 ? sums.light[c] / passes : 0);
 }
 
-void Film::read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* out, size_t row_stride) const {
+void Film::read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* out,
+                size_t row_stride) const {
   include_partial = include_partial && partial_;
   const double whole = double(passes() + (include_partial ? 1 : 0));
   const double per_pass = whole > 0 ? 1 / whole : 0;
@@ -293,7 +296,8 @@ void Film::clear() {
 
 void Film::merge(const Film& source) {
   if (&source == this) fail(ErrorCode::InvalidArgument, "source: it is the destination");
-  if (desc_.hash() != source.desc_.hash()) fail(ErrorCode::Mismatch, "source: it has another size, filter, normalization, groups or pyramid");
+  if (desc_.hash() != source.desc_.hash())
+    fail(ErrorCode::Mismatch, "source: it has another size, filter, normalization, groups or pyramid");
   if (source.is_empty()) return;
   if (!is_empty() && !(recipe_ == source.recipe_))
     fail(ErrorCode::Mismatch, "source: it was rendered from another scene, with another seed or with other options");

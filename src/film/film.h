@@ -69,22 +69,24 @@ class Film {
 
   // --- Filling, by src/render. Contributions go to the pass in hand; end_pass adds it to its group. ---
   void begin(const FilmRecipe& recipe);  // throws Mismatch if the film holds another recipe
-  // Thread-safe, but for two eye samples of one pixel. s and t say which image of the pyramid gets the contribution, too.
+  // Thread-safe, but for two eye samples of one pixel. s and t say which image of the pyramid gets the contribution,
+  // too.
   void add_eye_sample(const FilmPosition& film, const Rgb& value);
   void add_light_sample(const FilmPosition& film, const Rgb& value);
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
   bool has_technique(int s, int t) const { return s + t >= 2 && s + t - 1 <= desc_.pyramid_edges; }
-  void end_pass(uint64_t pass, int row_begin, int row_end);   // folds these rows; rows in parallel
-  void commit_pass(uint64_t pass);                            // after all rows are folded
-  void discard_pass();                                        // forgets the pass in hand
-  void set_partial(bool partial) { partial_ = partial; }      // whether the pass in hand holds finished blocks
+  void end_pass(uint64_t pass, int row_begin, int row_end);  // folds these rows; rows in parallel
+  void commit_pass(uint64_t pass);                           // after all rows are folded
+  void discard_pass();                                       // forgets the pass in hand
+  void set_partial(bool partial) { partial_ = partial; }     // whether the pass in hand holds finished blocks
 
   // --- Reading ---
   struct Rect {
     int x0, y0, x1, y1;
   };
   // Writes 3 floats per pixel to rows `row_stride` floats apart.
-  void read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* pixels, size_t row_stride) const;
+  void read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* pixels,
+            size_t row_stride) const;
   // Square root of the mean relative variance; -1 while unknown.
   double relative_error() const;
 
@@ -96,8 +98,14 @@ class Film {
 
  private:
   struct Scale;
-  int technique_index(int s, int t) const { const int k = s + t - 1; return (k - 1) * (k + 4) / 2 + s; }
-  int technique_count() const { const int k = desc_.pyramid_edges; return k * (k + 5) / 2; }
+  int technique_index(int s, int t) const {
+    const int k = s + t - 1;
+    return (k - 1) * (k + 4) / 2 + s;
+  }
+  int technique_count() const {
+    const int k = desc_.pyramid_edges;
+    return k * (k + 5) / 2;
+  }
   size_t pixels() const { return size_t(desc_.width) * desc_.height; }
   template <class Add>
   void splat(const FilmPosition& film, Add&& add);
@@ -109,9 +117,9 @@ class Film {
   Booking booking_;
   FilmRecipe recipe_;
   std::vector<PassRange> ranges_;
-  std::vector<PixelSums> sums_;             // groups x pixels
-  std::vector<PixelSums> pass_;             // of the pass in hand
-  std::vector<TechniqueSums> pyramid_;      // techniques x pixels
+  std::vector<PixelSums> sums_;         // groups x pixels
+  std::vector<PixelSums> pass_;         // of the pass in hand
+  std::vector<TechniqueSums> pyramid_;  // techniques x pixels
   std::vector<TechniqueSums> pyramid_pass_;
   std::atomic<uint64_t> rejected_pass_{0};
   uint64_t rejected_ = 0;

@@ -29,7 +29,9 @@ class Writer {
     file_.write(data, size);
   }
   template <class T>
-  void value(T v) { bytes(&v, sizeof(v)); }
+  void value(T v) {
+    bytes(&v, sizeof(v));
+  }
   uint64_t hash() const { return hash_; }
 
  private:
@@ -68,7 +70,9 @@ class Reader {
     if (end < here || std::fseek(file_, here, SEEK_SET) != 0) fail(ErrorCode::Io, "path: cannot seek in '", path_, "'");
     return uint64_t(end - here);
   }
-  [[noreturn]] void bad(const char* why) { fail(ErrorCode::Format, "path: '", path_, "' is no film file, or is damaged: ", why); }
+  [[noreturn]] void bad(const char* why) {
+    fail(ErrorCode::Format, "path: '", path_, "' is no film file, or is damaged: ", why);
+  }
 
  private:
   std::string path_;
@@ -88,8 +92,9 @@ FilmDesc read_desc(Reader& in) {
   d.groups = in.value<int32_t>();
   d.pyramid_edges = in.value<int32_t>();
   const bool ok = d.width >= 1 && d.width <= 65536 && d.height >= 1 && d.height <= 65536 && type >= 0 && type <= 4 &&
-                  d.filter.radius >= 0.5f && d.filter.radius <= 8 && std::isfinite(d.filter.a) && std::isfinite(d.filter.b) &&
-                  by_weights <= 1 && d.groups >= 1 && d.groups <= 16 && d.pyramid_edges >= 0 && d.pyramid_edges <= 15;
+                  d.filter.radius >= 0.5f && d.filter.radius <= 8 && std::isfinite(d.filter.a) &&
+                  std::isfinite(d.filter.b) && by_weights <= 1 && d.groups >= 1 && d.groups <= 16 &&
+                  d.pyramid_edges >= 0 && d.pyramid_edges <= 15;
   if (!ok) in.bad("its header says what cannot be");
   d.filter.type = FilterType(type);
   d.normalize_by_weights = by_weights == 1;
@@ -98,11 +103,13 @@ FilmDesc read_desc(Reader& in) {
 
 std::vector<PassRange> read_ranges(Reader& in) {
   const uint32_t count = in.value<uint32_t>();
-  if (count > kMaxRanges || uint64_t(count) * sizeof(PassRange) > in.remaining()) in.bad("it claims too many ranges of passes");
+  if (count > kMaxRanges || uint64_t(count) * sizeof(PassRange) > in.remaining())
+    in.bad("it claims too many ranges of passes");
   std::vector<PassRange> ranges;
   for (uint32_t i = 0; i < count; ++i) {
     const PassRange r{in.value<uint64_t>(), in.value<uint64_t>()};
-    if (r.begin >= r.end || (!ranges.empty() && r.begin <= ranges.back().end)) in.bad("its ranges of passes are not in order");
+    if (r.begin >= r.end || (!ranges.empty() && r.begin <= ranges.back().end))
+      in.bad("its ranges of passes are not in order");
     ranges.push_back(r);
   }
   return ranges;
@@ -147,7 +154,8 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   in.bytes(magic, sizeof(magic));
   if (std::memcmp(magic, kMagic, sizeof(magic)) != 0) in.bad("it does not begin like one");
   if (const uint32_t version = in.value<uint32_t>(); version != kVersion)
-    fail(ErrorCode::Format, "path: '", path, "' is a film file of version ", version, "; this library reads version ", kVersion);
+    fail(ErrorCode::Format, "path: '", path, "' is a film file of version ", version, "; this library reads version ",
+         kVersion);
   const FilmDesc desc = read_desc(in);
   FilmRecipe recipe;
   recipe.seed = in.value<uint64_t>();
@@ -158,7 +166,8 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   std::vector<PassRange> ranges = read_ranges(in);
   // Before memory is taken for what a damaged header claims.
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height), k = uint64_t(desc.pyramid_edges);
-  const uint64_t bytes = pixels * (sizeof(PixelSums) * uint64_t(desc.groups) + sizeof(TechniqueSums) * (k * (k + 5) / 2));
+  const uint64_t bytes =
+      pixels * (sizeof(PixelSums) * uint64_t(desc.groups) + sizeof(TechniqueSums) * (k * (k + 5) / 2));
   if (in.remaining() != bytes + sizeof(uint64_t)) in.bad("its length does not fit its header");
   auto film = std::make_unique<Film>(desc, std::move(meter));
   in.bytes(film->sums_.data(), film->sums_.size() * sizeof(PixelSums));

@@ -6,11 +6,15 @@ namespace bdpt {
 
 float Filter::default_radius(FilterType type) {
   switch (type) {
-    case FilterType::Box: return 0.5f;
-    case FilterType::Tent: return 1;
-    case FilterType::Gaussian: return 1.5f;
+    case FilterType::Box:
+      return 0.5f;
+    case FilterType::Tent:
+      return 1;
+    case FilterType::Gaussian:
+      return 1.5f;
     case FilterType::Mitchell:
-    case FilterType::BlackmanHarris: return 2;
+    case FilterType::BlackmanHarris:
+      return 2;
   }
   return 0.5f;
 }
@@ -29,8 +33,10 @@ Filter::Filter(const FilterDesc& desc) : type_(desc.type), radius_(desc.radius),
 float Filter::raw(float x) const {
   x = std::fabs(x);
   switch (type_) {
-    case FilterType::Box: return 1;
-    case FilterType::Tent: return 1 - x / radius_;
+    case FilterType::Box:
+      return 1;
+    case FilterType::Tent:
+      return 1 - x / radius_;
     case FilterType::Gaussian: {
       const auto g = [this](float v) { return std::exp(-v * v / (2 * a_ * a_)); };
       return std::fmax(0.0f, g(x) - g(radius_));

@@ -54,10 +54,14 @@ void load(RTCRay16& packet, const Ray* rays, size_t lanes) {
 
 const char* isa_config(Isa isa) {
   switch (isa) {
-    case Isa::Sse42: return "isa=sse4.2";
-    case Isa::Avx2: return "isa=avx2";
-    case Isa::Avx512: return "isa=avx512";
-    case Isa::Best: break;
+    case Isa::Sse42:
+      return "isa=sse4.2";
+    case Isa::Avx2:
+      return "isa=avx2";
+    case Isa::Avx512:
+      return "isa=avx512";
+    case Isa::Best:
+      break;
   }
   return nullptr;
 }
@@ -99,10 +103,12 @@ struct RayDevice::Implementation {
   }
 };
 
-RayDevice::RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter) : implementation_(std::make_unique<Implementation>()) {
+RayDevice::RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter)
+    : implementation_(std::make_unique<Implementation>()) {
   auto& i = *implementation_;
   const Isa best = best_isa();
-  if (int(isa) > int(best)) fail(ErrorCode::Unsupported, "isa: this machine does not have it; BDPT_ISA_BEST takes what it has");
+  if (int(isa) > int(best))
+    fail(ErrorCode::Unsupported, "isa: this machine does not have it; BDPT_ISA_BEST takes what it has");
   i.isa = isa == Isa::Best ? best : isa;
   i.meter = std::move(meter);
   i.device = rtcNewDevice(isa_config(isa));
@@ -127,7 +133,7 @@ uint64_t RayDevice::memory() const { return uint64_t(std::max<int64_t>(0, implem
 struct RayScene::Implementation {
   std::shared_ptr<const RayDevice> device;
   RTCScene scene = nullptr;
-  std::vector<RTCScene> instanced;           // one for each mesh that several instances share
+  std::vector<RTCScene> instanced;  // one for each mesh that several instances share
   const std::function<bool(double)>* progress = nullptr;
   bool cancelled = false;
 
@@ -160,7 +166,8 @@ struct RayScene::Implementation {
     auto& d = device->implementation();
     if (d.over_limit.exchange(false)) {
       rtcGetDeviceError(handle());
-      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(), " bytes");
+      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
+           " bytes");
     }
     const RTCError error = rtcGetDeviceError(handle());
     if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");

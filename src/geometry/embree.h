@@ -50,9 +50,9 @@ class RayDevice {
 
 // What one instance gives to the ray queries.
 struct RayGeometry {
-  const Mesh* mesh = nullptr;      // or
+  const Mesh* mesh = nullptr;  // or
   const Sphere* sphere = nullptr;
-  Transform transform;             // object to world
+  Transform transform;  // object to world
   // World positions, padded by 16 bytes, when the mesh is placed only once and is therefore not instanced.
   View<Vec3> world_positions;
   bool instanced = false;  // several instances of one mesh share one structure

@@ -1,4 +1,5 @@
-// Triangle meshes and spheres as the builder keeps them: in object space, validated, shared by all scenes that use them.
+// Triangle meshes and spheres as the builder keeps them: in object space, validated, shared by all scenes that use
+// them.
 #pragma once
 
 #include "math/vec.h"
@@ -21,6 +22,8 @@ class View {
   View(const void* data, size_t count, size_t stride)
       : data_(static_cast<const std::byte*>(data)), count_(count), stride_(stride) {}
   T operator[](size_t i) const {
+    if (stride_ == sizeof(T))
+      return reinterpret_cast<const T*>(data_)[i];  // nearly always, and without a multiplication
     T value;
     std::memcpy(static_cast<void*>(&value), data_ + i * stride_, sizeof(T));
     return value;
@@ -46,9 +49,9 @@ using Keeper = std::shared_ptr<const void>;
 struct Mesh {
   std::string label;
   View<Vec3> positions;
-  View<Triangle> triangles;  // without the degenerate ones; always 32-bit
-  View<Vec3> normals;        // empty = flat
-  View<Vec2> uv[2];          // empty = absent
+  View<Triangle> triangles;       // without the degenerate ones; always 32-bit
+  View<Vec3> normals;             // empty = flat
+  View<Vec2> uv[2];               // empty = absent
   bool positions_padded = false;  // 16 readable bytes behind the last position: Embree may read the array itself
   uint64_t degenerate = 0;        // triangles that were dropped
   uint64_t memory = 0;            // bytes that are the library's own

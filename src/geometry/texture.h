@@ -12,7 +12,8 @@ namespace bdpt {
 class Texture {
  public:
   // 8-bit texels (1 or 3 channels, packed), decoded through a table of 256; or floats.
-  Texture(std::string label, uint32_t width, uint32_t height, uint32_t channels, std::vector<uint8_t> texels, bool srgb);
+  Texture(std::string label, uint32_t width, uint32_t height, uint32_t channels, std::vector<uint8_t> texels,
+          bool srgb);
   Texture(std::string label, uint32_t width, uint32_t height, uint32_t channels, std::vector<float> texels);
 
   Rgb lookup(const Vec2& uv) const;

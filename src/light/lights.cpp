@@ -28,21 +28,29 @@ double power_of_area(const Lights::AreaLight& a) {
 
 }  // namespace
 
-void Lights::build(std::vector<AreaLight> areas, const std::vector<LightDesc>& others, const Vec3& center, float radius) {
+void Lights::build(std::vector<AreaLight> areas, const std::vector<LightDesc>& others, const Vec3& center,
+                   float radius) {
   areas_ = std::move(areas);
   others_ = others;
   center_ = center;
   radius_ = std::max(radius, 1e-6f);
   for (size_t i = 0; i < areas_.size(); ++i) {
     const Kind kind = areas_[i].is_sphere ? Kind::Sphere : Kind::Triangles;
-    lights_.push_back({kind, int(i), power_of_area(areas_[i])});
+    Light light;
+    light.kind = kind;
+    light.index = int(i);
+    light.power = power_of_area(areas_[i]);
+    lights_.push_back(light);
     any_hittable_ = true;
   }
   for (size_t i = 0; i < others_.size(); ++i) {
     const LightDesc& o = others_[i];
-    Light light{Kind::Point, int(i), 0};
+    Light light;
+    light.index = int(i);
     switch (o.type) {
-      case LightType::Point: light.power = 4.0 * kPi * norm(o.intensity); break;
+      case LightType::Point:
+        light.power = 4.0 * kPi * norm(o.intensity);
+        break;
       case LightType::Spot:
         light.kind = Kind::Spot;
         light.power = 2.0 * kPi * norm(o.intensity) * (1 - 0.5 * (double(o.cos_inner) + o.cos_outer));
@@ -60,14 +68,18 @@ void Lights::build(std::vector<AreaLight> areas, const std::vector<LightDesc>& o
   std::vector<double> power;
   for (const Light& l : lights_) power.push_back(l.power);
   by_power_ = Discrete(power);
+  for (size_t i = 0; i < lights_.size(); ++i) {
+    if (!by_power_.empty()) lights_[i].choice = by_power_.probability(i);
+    if (i < areas_.size()) lights_[i].inverse_area = 1 / areas_[i].area;
+  }
 }
 
 float Lights::choice(int light, bool uniform) const {
-  return uniform ? 1.0f / float(lights_.size()) : by_power_.probability(size_t(light));
+  return uniform ? 1.0f / float(lights_.size()) : lights_[size_t(light)].choice;
 }
 
 float Lights::spot_falloff(const LightDesc& spot, const Vec3& w) const {
-  const float c = dot(w, spot.direction);
+  const float c = dot(w, spot.direction) / length(w);
   if (c <= spot.cos_outer) return 0;
   if (c >= spot.cos_inner) return 1;
   const float t = (c - spot.cos_outer) / (spot.cos_inner - spot.cos_outer);
@@ -169,39 +181,40 @@ bool Lights::sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, f
 bool Lights::sample_direct(const Vec3& x, const float u[4], DirectLight& direct) const {
   if (empty()) return false;
   double u0 = join(u[0], u[3]);
-  const int light = int(by_power_.sample(u0));
+  const int index = int(by_power_.sample(u0));
+  const Light& light = lights_[size_t(index)];
   LightPoint& y0 = direct.y0;
   y0 = LightPoint{};
-  y0.light = light;
-  switch (lights_[size_t(light)].kind) {
+  y0.light = index;
+  switch (light.kind) {
     case Kind::Environment:
       y0.infinite = true;
       y0.normal = direct.direction = sample_sphere(u[1], u[2]);
       direct.distance = std::numeric_limits<float>::infinity();
       direct.radiance = environment_radiance_;
-      direct.density = choice(light, false) * 0.25f * kInvPi;
+      direct.density = light.choice * 0.25f * kInvPi;
       return true;
-    case Kind::Triangles: {
-      const AreaLight& a = area(light);
-      sample_triangles(a, u0, u[1], u[2], y0);
+    case Kind::Triangles:
       y0.has_area = true;
+      sample_triangles(area(index), u0, u[1], u[2], y0);
       break;
-    }
     case Kind::Sphere:
       y0.has_area = true;
-      sample_sphere_direct(area(light), x, u[1], u[2], direct);
+      sample_sphere_direct(area(index), x, u[1], u[2], direct);
       break;
     case Kind::Point:
-    case Kind::Spot: y0.p = other(light).position; break;
+    case Kind::Spot:
+      y0.p = other(index).position;
+      break;
   }
   const Vec3 to_light = y0.p - x;
+  direct.radiance = emitted(y0, -to_light);
   const float d2 = length_squared(to_light);
-  if (!(d2 > 0)) return false;
+  if (is_black(direct.radiance) || !(d2 > 0)) return false;
   direct.distance = std::sqrt(d2);
   direct.direction = to_light * (1 / direct.distance);
-  direct.radiance = emitted(y0, -direct.direction);
-  direct.density = direct_density(y0, x);
-  return direct.density > 0 && !is_black(direct.radiance);
+  direct.density = light.kind == Kind::Sphere ? direct_density(y0, x) : light.choice * light.inverse_area;
+  return direct.density > 0;
 }
 
 Rgb Lights::emitted(const LightPoint& y0, const Vec3& w) const {
@@ -222,19 +235,20 @@ float Lights::direction_density(const LightPoint& y0, const Vec3& w) const {
     case Kind::Sphere:
       if (area(y0.light).two_sided) return 0.5f * kInvPi;
       return dot(y0.normal, w) > 0 ? kInvPi : 0;
-    case Kind::Point: return 0.25f * kInvPi;
+    case Kind::Point:
+      return 0.25f * kInvPi;
     case Kind::Spot: {
       const LightDesc& o = other(y0.light);
       return dot(w, o.direction) > o.cos_outer ? 1 / (kTwoPi * (1 - o.cos_outer)) : 0;
     }
-    case Kind::Environment: return kInvPi / (radius_ * radius_);
+    case Kind::Environment:
+      return kInvPi / (radius_ * radius_);
   }
   return 0;
 }
 
 float Lights::position_density(const LightPoint& y0, bool uniform) const {
-  const float chosen = choice(y0.light, uniform);
-  if (y0.has_area) return chosen / area(y0.light).area;
+  const float chosen = choice(y0.light, uniform) * lights_[size_t(y0.light)].inverse_area;
   return y0.infinite ? chosen * 0.25f * kInvPi : chosen;
 }
 
@@ -243,9 +257,9 @@ float Lights::direct_density(const LightPoint& y0, const Vec3& x) const {
   if (y0.infinite) return chosen * 0.25f * kInvPi;
   if (!y0.has_area) return chosen;
   const AreaLight& a = area(y0.light);
-  if (!a.is_sphere) return chosen / a.area;
+  if (!a.is_sphere) return chosen * lights_[size_t(y0.light)].inverse_area;
   const float center2 = length_squared(a.center - x);
-  if (!(center2 > a.radius * a.radius)) return chosen / a.area;
+  if (!(center2 > a.radius * a.radius)) return chosen * lights_[size_t(y0.light)].inverse_area;
   const Vec3 w = x - y0.p;
   const float d2 = length_squared(w);
   const float cos_y = dot(y0.normal, w) / std::sqrt(d2);

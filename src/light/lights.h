@@ -1,4 +1,5 @@
-// All lights of a scene: how light subpaths start, how direct lighting chooses a point (s = 1), and the densities of both.
+// All lights of a scene: how light subpaths start, how direct lighting chooses a point (s = 1), and the densities of
+// both.
 //
 // Veach's convention: L_e is split into L_e^(0), a position, and L_e^(1), a direction, and the directional part is
 // treated as a BSDF at y0. Densities of position are per area, those of direction per projected solid angle. An
@@ -19,34 +20,35 @@ namespace bdpt {
 // y0 of a light subpath or of direct lighting. The tag says which light and which side of it.
 struct LightPoint {
   int light = -1;
-  bool infinite = false;       // no position: `normal` points toward the light
-  bool has_area = false;       // an area light: cosines at y0 count, eye subpaths can hit it
-  Vec3 p;                      // not for infinite lights
-  Vec3 normal;                 // of an area light: geometric, toward its front
+  bool infinite = false;  // no position: `normal` points toward the light
+  bool has_area = false;  // an area light: cosines at y0 count, eye subpaths can hit it
+  Vec3 p;                 // not for infinite lights
+  Vec3 normal;            // of an area light: geometric, toward its front
 };
 
 struct LightStart {
   LightPoint y0;
-  Vec3 origin;                 // of the first ray: y0, or on the disk of an infinite light
-  Vec3 direction;              // unit
-  float density_position = 0;  // P_A(y0), choice of light included
-  float density_direction = 0; // P_sigma-perp(y0 -> y1)
-  Rgb weight;                  // alpha_2 = L_e / (P_A P_sigma-perp)
+  Vec3 origin;                  // of the first ray: y0, or on the disk of an infinite light
+  Vec3 direction;               // unit
+  float density_position = 0;   // P_A(y0), choice of light included
+  float density_direction = 0;  // P_sigma-perp(y0 -> y1)
+  Rgb weight;                   // alpha_2 = L_e / (P_A P_sigma-perp)
 };
 
 struct DirectLight {
   LightPoint y0;
-  Vec3 direction;              // unit, from the point lit to y0
-  float distance = 0;          // infinite for infinite lights
-  Rgb radiance;                // L_e(y0 -> x); for points, intensity
-  float density = 0;           // P_A^d(y0), choice of light included; per solid angle for infinite lights
+  Vec3 direction;      // unit, from the point lit to y0
+  float distance = 0;  // infinite for infinite lights
+  Rgb radiance;        // L_e(y0 -> x); for points, intensity
+  float density = 0;   // P_A^d(y0), choice of light included; per solid angle for infinite lights
 };
 
 // One triangle of an area light, in the world.
 struct LightTriangle {
   Vec3 corner, edge1, edge2;
   Vec3 normal;  // unit, toward the front
-  LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n) : corner(a), edge1(b - a), edge2(c - a), normal(n) {}
+  LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n)
+      : corner(a), edge1(b - a), edge2(c - a), normal(n) {}
 };
 
 class Lights {
@@ -77,7 +79,7 @@ class Lights {
   // Chooses y0 for s = 1 at a point of a surface; u as above. False where the light chosen cannot reach it.
   bool sample_direct(const Vec3& x, const float u[4], DirectLight& direct) const;
 
-  // L_e(y0 -> x) of any finite light, w from y0 to x; of points, the intensity.
+  // L_e(y0 -> x) of any finite light, w from y0 to x, of any length; of points, the intensity.
   Rgb emitted(const LightPoint& y0, const Vec3& w) const;
   // The same of an area light with the normal of its front; black from its dark side.
   Rgb radiance(int light, const Vec3& normal, const Vec3& w) const;
@@ -94,8 +96,10 @@ class Lights {
   enum class Kind { Triangles, Sphere, Point, Spot, Environment };
   struct Light {
     Kind kind = Kind::Point;
-    int index = -1;       // into areas_ or others_
+    int index = -1;  // into areas_ or others_
     double power = 0;
+    float choice = 0;        // probability by power
+    float inverse_area = 1;  // of an area light
   };
   const AreaLight& area(int light) const { return areas_[size_t(lights_[size_t(light)].index)]; }
   const LightDesc& other(int light) const { return others_[size_t(lights_[size_t(light)].index)]; }

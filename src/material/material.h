@@ -19,10 +19,10 @@ enum class MaterialType { Diffuse, Mirror, Conductor, Dielectric };
 
 struct Material {
   MaterialType type = MaterialType::Diffuse;
-  Rgb reflectance;               // diffuse, mirror; where a texture is set, its value stands in for it
-  int reflectance_texture = -1;  // index into the scene's textures
-  Rgb eta, k;                    // conductor
-  float ior = 1.5f;              // dielectric: inside over outside
+  Rgb reflectance;                 // diffuse, mirror; where a texture is set, its value stands in for it
+  int reflectance_texture = -1;    // index into the scene's textures
+  Rgb eta, k;                      // conductor
+  float ior = 1.5f;                // dielectric: inside over outside
   float alpha_u = 0, alpha_v = 0;  // GGX; both zero = smooth
   bool one_sided = false;
   Rgb emission;
@@ -40,15 +40,15 @@ struct Material {
 
 // f_s for both directions given, with the densities of sampling one from the other.
 struct BsdfValue {
-  Rgb f;                    // per projected solid angle of the shading normal, scaled for the transport mode
-  float density = 0;        // of sampling next, given previous
+  Rgb f;                      // per projected solid angle of the shading normal, scaled for the transport mode
+  float density = 0;          // of sampling next, given previous
   float density_reverse = 0;  // of sampling previous, given next
 };
 
 struct BsdfSample {
   Vec3 next{0, 0, 0};
-  Rgb weight;                 // f |cos next| / density, cosine with the shading normal; black = absorbed
-  float density = 0;          // of next; for a specular material the Dirac's coefficient, see below
+  Rgb weight;         // f |cos next| / density, cosine with the shading normal; black = absorbed
+  float density = 0;  // of next; for a specular material the Dirac's coefficient, see below
   float density_reverse = 0;
   bool specular = false;
 };

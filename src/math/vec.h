@@ -31,9 +31,18 @@ struct Rgb {
   Rgb() = default;
   explicit Rgb(float v) : r(v), g(v), b(v) {}
   Rgb(float r_, float g_, float b_) : r(r_), g(g_), b(b_) {}
-  Rgb& operator+=(const Rgb& o) { r += o.r, g += o.g, b += o.b; return *this; }
-  Rgb& operator*=(const Rgb& o) { r *= o.r, g *= o.g, b *= o.b; return *this; }
-  Rgb& operator*=(float v) { r *= v, g *= v, b *= v; return *this; }
+  Rgb& operator+=(const Rgb& o) {
+    r += o.r, g += o.g, b += o.b;
+    return *this;
+  }
+  Rgb& operator*=(const Rgb& o) {
+    r *= o.r, g *= o.g, b *= o.b;
+    return *this;
+  }
+  Rgb& operator*=(float v) {
+    r *= v, g *= v, b *= v;
+    return *this;
+  }
 };
 inline Rgb operator+(Rgb a, const Rgb& b) { return a += b; }
 inline Rgb operator-(const Rgb& a, const Rgb& b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }

@@ -14,13 +14,17 @@ namespace {
 class Pool final : public Executor {
  public:
   explicit Pool(uint32_t threads)
-      : threads_(std::min(threads ? threads : ~0u, uint32_t(tbb::info::default_concurrency()))), arena_(int(threads_)) {}
+      : threads_(std::min(threads ? threads : ~0u, uint32_t(tbb::info::default_concurrency()))),
+        arena_(int(threads_)) {}
   uint32_t worker_count() const override { return threads_; }
   void run(uint32_t n, const std::function<void(uint32_t)>& body) override {
     arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<uint32_t>(0, n, 1), [&](const tbb::blocked_range<uint32_t>& range) {
-        for (uint32_t i = range.begin(); i != range.end(); ++i) body(i);
-      }, tbb::simple_partitioner());
+      tbb::parallel_for(
+          tbb::blocked_range<uint32_t>(0, n, 1),
+          [&](const tbb::blocked_range<uint32_t>& range) {
+            for (uint32_t i = range.begin(); i != range.end(); ++i) body(i);
+          },
+          tbb::simple_partitioner());
     });
   }
   void isolate(const std::function<void()>& body) override { arena_.execute(body); }

@@ -43,7 +43,7 @@ struct Render::Call {
   const AdvanceDesc& desc;
   double begin = now();
   std::thread::id caller = std::this_thread::get_id();
-  std::atomic<bool> stop{false};      // no further block
+  std::atomic<bool> stop{false};  // no further block
   bool callback_stopped = false;
   uint64_t passes = 0;
   std::atomic<uint64_t> samples{0};
@@ -85,7 +85,11 @@ struct Render::Worker {
 
 Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor> sensor, std::shared_ptr<Film> film,
                std::shared_ptr<Executor> executor, std::shared_ptr<MemoryMeter> meter, const RenderDesc& desc)
-    : scene_(std::move(scene)), sensor_(std::move(sensor)), film_(std::move(film)), executor_(std::move(executor)), desc_(desc) {
+    : scene_(std::move(scene)),
+      sensor_(std::move(sensor)),
+      film_(std::move(film)),
+      executor_(std::move(executor)),
+      desc_(desc) {
   if (sensor_->width() != film_->desc().width || sensor_->height() != film_->desc().height)
     fail(ErrorCode::Mismatch, "film: it is ", film_->desc().width, " x ", film_->desc().height, ", the sensor ",
          sensor_->width(), " x ", sensor_->height());
@@ -97,7 +101,8 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
     blocks_ = make_blocks(engine_->bounds, desc.block_size ? desc.block_size : kDefaultBlock);
     blocks_done_.assign(blocks_.size(), 0);
     const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
-    booking_ = Booking(std::move(meter), executor_->worker_count() * block_samples * kBytesPerSample, "the render's blocks");
+    booking_ =
+        Booking(std::move(meter), executor_->worker_count() * block_samples * kBytesPerSample, "the render's blocks");
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {
     film_->release();
@@ -183,8 +188,10 @@ AdvanceReport Render::advance(const AdvanceDesc& desc) {
   uint64_t next_check = film_->passes() + 1;
   call.report();
   while (true) {
-    if (call.callback_stopped) report.reason = StopReason::Callback;
-    else if (call.cancelled()) report.reason = StopReason::Cancelled;
+    if (call.callback_stopped)
+      report.reason = StopReason::Callback;
+    else if (call.cancelled())
+      report.reason = StopReason::Cancelled;
     else if (run_pass(call)) {
       if (desc.on_pass && !desc.on_pass(call.passes)) {
         report.reason = StopReason::Callback;

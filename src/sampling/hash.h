@@ -16,7 +16,9 @@ inline uint64_t mix64(uint64_t x) {
   return x ^ (x >> 31);
 }
 
-inline uint64_t hash_combine(uint64_t h, uint64_t v) { return mix64(h * 0x9e3779b97f4a7c15ull + v + 0x632be59bd9b4e019ull); }
+inline uint64_t hash_combine(uint64_t h, uint64_t v) {
+  return mix64(h * 0x9e3779b97f4a7c15ull + v + 0x632be59bd9b4e019ull);
+}
 
 template <class... Values>
 uint64_t hash_values(Values... values) {

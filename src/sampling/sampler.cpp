@@ -6,13 +6,6 @@ namespace bdpt {
 
 namespace {
 
-inline uint32_t reverse_bits(uint32_t x) {
-  x = __builtin_bswap32(x);
-  x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
-  x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
-  return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
-}
-
 // Owen scrambling of a number whose bits are reversed: the hash of Laine and Karras with Vegdahl's constants.
 inline uint32_t scramble_reversed(uint32_t x, uint32_t seed) {
   x ^= x * 0x3d20adeau;
@@ -25,8 +18,8 @@ inline uint32_t scramble_reversed(uint32_t x, uint32_t seed) {
 
 inline float to_unit(uint32_t x) { return float(x >> 8) * 0x1p-24f; }
 
-// Direction numbers of the first four Sobol dimensions (Joe and Kuo 2008), bits reversed, as bytes' combinations:
-// table[byte position][byte value][dimension].
+// Direction numbers of the first four Sobol dimensions (Joe and Kuo 2008), bits reversed, as bytes' combinations, of
+// an index whose bits are reversed, too: table[byte position][byte value][dimension].
 struct SobolTable {
   alignas(16) uint32_t table[4][256][4];
 };
@@ -61,7 +54,7 @@ constexpr SobolTable make_table() {
       for (int value = 0; value < 256; ++value) {
         uint32_t x = 0;
         for (int bit = 0; bit < 8; ++bit)
-          if ((value >> bit) & 1) x ^= v[d][8 * byte + bit];
+          if ((value >> bit) & 1) x ^= v[d][31 - (8 * byte + bit)];
         t.table[byte][value][d] = reverse_constexpr(x);
       }
   return t;
@@ -74,8 +67,9 @@ const SobolTable kSobol = make_table();
 Four sobol4(const Stream& stream, uint32_t group) {
   // Three hashes side by side, for the permutation of the points and a scramble of each dimension.
   const uint64_t base = stream.scramble + uint64_t(group) * 0x9e3779b97f4a7c15ull;
-  const uint64_t key = mix64(base), key2 = mix64(base ^ 0xd6e8feb86659fd93ull), key3 = mix64(base ^ 0xa0761d6478bd642full);
-  const uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(stream.index), uint32_t(key)));
+  const uint64_t key = mix64(base), key2 = mix64(base ^ 0xd6e8feb86659fd93ull),
+                 key3 = mix64(base ^ 0xa0761d6478bd642full);
+  const uint32_t shuffled = scramble_reversed(stream.reversed, uint32_t(key));
   const uint32_t seeds[4] = {uint32_t(key >> 32), uint32_t(key2), uint32_t(key2 >> 32), uint32_t(key3)};
   Four r;
   for (int d = 0; d < 4; ++d) {

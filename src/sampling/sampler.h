@@ -8,10 +8,20 @@
 
 namespace bdpt {
 
+inline uint32_t reverse_bits(uint32_t x) {
+  x = __builtin_bswap32(x);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+  x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+  return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+
 // A stream of numbers: `scramble` names the sequence, `index` the point in it.
 struct Stream {
-  uint64_t scramble = 0;
-  uint32_t index = 0;
+  uint64_t scramble;
+  uint32_t index;
+  uint32_t reversed;  // the index with its bits reversed, as Owen scrambling wants it
+  Stream(uint64_t scramble_ = 0, uint32_t index_ = 0)
+      : scramble(scramble_), index(index_), reversed(reverse_bits(index_)) {}
 };
 
 // Group of four for the start of a subpath, and per vertex.

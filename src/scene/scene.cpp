@@ -53,15 +53,16 @@ uint64_t hash_scene(const SceneDesc& desc) {
   }
   for (const auto& t : desc.textures) h = hash_combine(h, t ? t->content_hash() : 0);
   for (const Material& m : desc.materials) {
-    const float numbers[] = {m.reflectance.r, m.reflectance.g, m.reflectance.b, m.eta.r, m.eta.g, m.eta.b,
-                             m.k.r, m.k.g, m.k.b, m.ior, m.alpha_u, m.alpha_v, m.emission.r, m.emission.g, m.emission.b};
+    const float numbers[] = {m.reflectance.r, m.reflectance.g, m.reflectance.b, m.eta.r,      m.eta.g,
+                             m.eta.b,         m.k.r,           m.k.g,           m.k.b,        m.ior,
+                             m.alpha_u,       m.alpha_v,       m.emission.r,    m.emission.g, m.emission.b};
     add(numbers);
     h = hash_combine(h, hash_values(int(m.type), m.reflectance_texture, m.one_sided, m.emission_two_sided));
   }
   for (const LightDesc& l : desc.lights) {
-    const float numbers[] = {l.position.x, l.position.y, l.position.z, l.direction.x, l.direction.y, l.direction.z,
-                             l.intensity.r, l.intensity.g, l.intensity.b, l.radiance.r, l.radiance.g, l.radiance.b,
-                             l.cos_outer, l.cos_inner};
+    const float numbers[] = {l.position.x,  l.position.y,  l.position.z,  l.direction.x, l.direction.y,
+                             l.direction.z, l.intensity.r, l.intensity.g, l.intensity.b, l.radiance.r,
+                             l.radiance.g,  l.radiance.b,  l.cos_outer,   l.cos_inner};
     add(numbers);
     h = hash_combine(h, uint64_t(l.type));
   }
@@ -79,7 +80,8 @@ Scene::Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::share
     : desc_(std::move(desc)) {
   int environments = 0;
   for (const LightDesc& l : desc_.lights) environments += l.type == LightType::Environment;
-  if (environments > 1) fail(ErrorCode::InvalidArgument, "the builder holds ", environments, " environment lights; a scene takes one");
+  if (environments > 1)
+    fail(ErrorCode::InvalidArgument, "the builder holds ", environments, " environment lights; a scene takes one");
   if (desc_.instances.empty() && desc_.lights.empty())
     fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light; add some before building");
 
@@ -137,7 +139,8 @@ uint64_t Scene::world_position_bytes() const {
     const Mesh* mesh = desc_.shapes[size_t(i.shape)].mesh.get();
     if (!mesh) continue;
     const bool own = !i.transform.is_identity() && uses[size_t(i.shape)] == 1;
-    if (own || (!mesh->positions_padded && !counted[size_t(i.shape)])) bytes += (mesh->positions.size() + 2) * sizeof(Vec3);
+    if (own || (!mesh->positions_padded && !counted[size_t(i.shape)]))
+      bytes += (mesh->positions.size() + 2) * sizeof(Vec3);
     counted[size_t(i.shape)] = 1;
   }
   return bytes;
@@ -286,10 +289,12 @@ bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
   const Vec2 ta = has_uv ? mesh.uv[0][t.a] : Vec2(0, 0), tb = has_uv ? mesh.uv[0][t.b] : Vec2(1, 0),
              tc = has_uv ? mesh.uv[0][t.c] : Vec2(1, 1);
   if (material.reflectance_texture >= 0)
-    s.reflectance = desc_.textures[size_t(material.reflectance_texture)]->lookup(ta * (1 - hit.u - hit.v) + tb * hit.u + tc * hit.v);
+    s.reflectance = desc_.textures[size_t(material.reflectance_texture)]->lookup(ta * (1 - hit.u - hit.v) + tb * hit.u +
+                                                                                 tc * hit.v);
   if (material.is_anisotropic()) {
     const auto corner = [&](uint32_t i) {
-      return instance.world_positions.empty() ? instance.transform.point(mesh.positions[i]) : instance.world_positions[i];
+      return instance.world_positions.empty() ? instance.transform.point(mesh.positions[i])
+                                              : instance.world_positions[i];
     };
     const Vec3 a = corner(t.a);
     s.tangent = u_direction(corner(t.b) - a, corner(t.c) - a, tb - ta, tc - ta);

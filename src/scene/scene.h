@@ -69,13 +69,12 @@ class Scene {
 
   SceneDesc desc_;
   std::vector<Instance> instances_;
-  std::vector<std::vector<Vec3>> world_positions_;               // what the views below point into
-  std::vector<std::pair<const Mesh*, View<Vec3>>> padded_;       // meshes whose positions had to be copied
+  std::vector<std::vector<Vec3>> world_positions_;          // what the views below point into
+  std::vector<std::pair<const Mesh*, View<Vec3>>> padded_;  // meshes whose positions had to be copied
   Lights lights_;
   std::unique_ptr<RayScene> rays_;
   SceneInfo info_;
   Booking booking_;
-
 };
 
 }  // namespace bdpt

@@ -25,8 +25,8 @@ uint64_t Camera::hash() const {
   uint64_t h = hash_values(desc_.width, desc_.height, desc_.aperture_blades);
   h = hash_bytes(desc_.crop, sizeof(desc_.crop), h);
   h = hash_bytes(desc_.transform.m, sizeof(desc_.transform.m), h);
-  const float numbers[] = {desc_.field_of_view, desc_.lens_radius,  is_hittable() ? desc_.focus_distance : 0,
-                           desc_.aperture_rotation, desc_.shift[0], desc_.shift[1]};
+  const float numbers[] = {desc_.field_of_view,     desc_.lens_radius, is_hittable() ? desc_.focus_distance : 0,
+                           desc_.aperture_rotation, desc_.shift[0],    desc_.shift[1]};
   return hash_bytes(numbers, sizeof(numbers), h);
 }
 
@@ -37,7 +37,8 @@ Vec2 Camera::sample_lens(const float u[2]) const {
   const float scaled = u[0] * float(n);
   const int blade = std::min(int(scaled), n - 1);
   const Vec2 b = sample_triangle(scaled - float(blade), u[1]);
-  const float a0 = kTwoPi * float(blade) / float(n) + desc_.aperture_rotation * (kPi / 180), a1 = a0 + kTwoPi / float(n);
+  const float a0 = kTwoPi * float(blade) / float(n) + desc_.aperture_rotation * (kPi / 180),
+              a1 = a0 + kTwoPi / float(n);
   return Vec2(std::cos(a0), std::sin(a0)) * b.x + Vec2(std::cos(a1), std::sin(a1)) * b.y;
 }
 

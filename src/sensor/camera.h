@@ -8,9 +8,9 @@ namespace bdpt {
 
 struct CameraDesc {
   int width = 1, height = 1;
-  int crop[4] = {0, 0, 1, 1};   // x0, y0, x1, y1
-  Transform transform;          // camera to world, columns orthonormal; looks along -z
-  float field_of_view = 45;     // vertical, degrees
+  int crop[4] = {0, 0, 1, 1};  // x0, y0, x1, y1
+  Transform transform;         // camera to world, columns orthonormal; looks along -z
+  float field_of_view = 45;    // vertical, degrees
   float lens_radius = 0;
   float focus_distance = 1;
   int aperture_blades = 0;
@@ -33,15 +33,15 @@ class Camera final : public Sensor {
            SensorPoint& z0) const override;
 
  private:
-  Vec2 sample_lens(const float u[2]) const;         // in units of lens_radius
-  bool is_on_lens(const Vec2& p) const;             // the same
+  Vec2 sample_lens(const float u[2]) const;  // in units of lens_radius
+  bool is_on_lens(const Vec2& p) const;      // the same
   bool see(const Vec3& z0, const Vec3& to_world, const SampleBounds& bounds, SensorPoint& point) const;
 
   CameraDesc desc_;
   Vec3 origin_, right_, up_, forward_;
-  float pixel_;        // side of a pixel on the plane at unit distance
-  float left_, top_;   // of the crop region, on that plane
-  float lens_area_;    // 1 for a pinhole
+  float pixel_;       // side of a pixel on the plane at unit distance
+  float left_, top_;  // of the crop region, on that plane
+  float lens_area_;   // 1 for a pinhole
 };
 
 }  // namespace bdpt

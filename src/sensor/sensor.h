@@ -15,11 +15,11 @@ using FilmPosition = Vec2;
 // z0 and the first direction of an eye subpath.
 struct EyeStart {
   FilmPosition film;
-  Vec3 p, normal;            // z0, and the unit normal of the lens
-  Vec3 direction;            // unit
-  float density_position;    // P_A(z0); of a pinhole the Dirac's coefficient, 1
-  float density_direction;   // P_sigma-perp(z0 -> z1)
-  float weight;              // alpha_2 = W_e / (P_A P_sigma-perp)
+  Vec3 p, normal;           // z0, and the unit normal of the lens
+  Vec3 direction;           // unit
+  float density_position;   // P_A(z0); of a pinhole the Dirac's coefficient, 1
+  float density_direction;  // P_sigma-perp(z0 -> z1)
+  float weight;             // alpha_2 = W_e / (P_A P_sigma-perp)
 };
 
 // z0 as seen from a point (t = 1), or as hit by a light segment (t = 0).

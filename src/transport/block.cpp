@@ -249,7 +249,8 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
     Edge edge;
     edge.light_at_z = position;
     edge.light_before_z = direction * z.geometry;
-    weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true, !x0.infinite);
+    weight =
+        path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true, !x0.infinite);
   }
   add_eye(w.sample, 0, z.count, w.throughput * radiance * weight);
 }
@@ -300,7 +301,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   const Vec3 next = frame.to_world(b.next);
   const float gn = dot(v.ng, next), sn = b.next.z;
   if (!(gn * sn > 0)) return;
-  Rgb factor = b.weight;  // f |cos| / P
+  Rgb factor = b.weight;                                                            // f |cos| / P
   if (mode == TransportMode::Importance) factor *= std::fabs(sp * gn / (gp * sn));  // Veach 5.3.2, shading normals
 
   // Russian roulette by the local factor (10.3.3). Its probability is no part of the densities in the weights: it

@@ -56,22 +56,22 @@ class Block {
  private:
   // The front end of a subpath: about to find its next vertex.
   struct Walker {
-    Vec3 origin;            // the last vertex, not moved off its surface
-    float cosine;           // at it, with its geometric normal; 1 for points; unused where infinite
+    Vec3 origin;   // the last vertex, not moved off its surface
+    float cosine;  // at it, with its geometric normal; 1 for points; unused where infinite
     Vec3 direction;
-    float projected;        // P_sigma-perp of direction
-    Rgb throughput;         // alpha at the next vertex
-    float density;          // P_A of the last vertex
-    float sums;             // || u, rev v || of the last vertex
+    float projected;  // P_sigma-perp of direction
+    Rgb throughput;   // alpha at the next vertex
+    float density;    // P_A of the last vertex
+    float sums;       // || u, rev v || of the last vertex
     float direct;
-    uint32_t vertex;        // the last vertex; kNoVertex for y_0 and z_0
-    uint32_t count;         // vertices so far
+    uint32_t vertex;  // the last vertex; kNoVertex for y_0 and z_0
+    uint32_t count;   // vertices so far
     uint32_t sample;
     bool eye, specular, infinite, start_hittable, start_finite;
   };
   struct Connection {
     Rgb contribution;
-    FilmPosition film;      // t = 1
+    FilmPosition film;  // t = 1
     uint32_t sample, s, t;
   };
   // How the connecting edge, and what it changes beyond, is sampled from both sides; see path_weight.

@@ -157,7 +157,8 @@ void Block::connect_start_to_sensor(uint32_t sample) {
 }
 
 float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,
-                         PathVertex start_light, PathVertex start_eye, double direct, bool s0_exists, bool corner_exists) {
+                         PathVertex start_light, PathVertex start_eye, double direct, bool s0_exists,
+                         bool corner_exists) {
   path_.resize(s + t);
   // Each subpath from its end to its start. What the connecting edge decides comes first; the rest was stored when the
   // subpath was made.

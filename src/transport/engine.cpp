@@ -6,8 +6,14 @@ namespace {
 constexpr uint32_t kUnlimited = 1u << 24;
 }
 
-Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const TransportOptions& options_, uint64_t seed_)
-    : scene(scene_), sensor(sensor_), film(film_), options(options_), bounds(film_.sample_bounds()), seed(seed_),
+Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const TransportOptions& options_,
+               uint64_t seed_)
+    : scene(scene_),
+      sensor(sensor_),
+      film(film_),
+      options(options_),
+      bounds(film_.sample_bounds()),
+      seed(seed_),
       heuristic(options_.heuristic == Heuristic::Balance ? 1 : options_.beta) {
   // What cannot be: a sensor that light cannot hit, a scene whose lights cannot be hit.
   for (uint32_t& row : options.techniques.rows)
@@ -37,13 +43,13 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
 
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
   const uint64_t groups = uint64_t(film.desc().groups);
-  return {hash_values(seed, 1, pass % groups, number, (pass / groups) >> 32), uint32_t(pass / groups)};
+  return Stream(hash_values(seed, 1, pass % groups, number, (pass / groups) >> 32), uint32_t(pass / groups));
 }
 
 Stream Engine::light_stream(uint64_t pass, uint64_t number) const {
   const uint64_t groups = uint64_t(film.desc().groups);
   const uint64_t index = (pass / groups) * samples_per_pass() + number;
-  return {hash_values(seed, 2, pass % groups, index >> 32), uint32_t(index)};
+  return Stream(hash_values(seed, 2, pass % groups, index >> 32), uint32_t(index));
 }
 
 Four Engine::draw_film(const Stream& stream, uint64_t pass, uint64_t number) const {

@@ -31,7 +31,7 @@ struct Engine {
 
   // What follows from the options.
   TechniqueClasses classes;
-  bool running_sums;         // else reference_weight()
+  bool running_sums;  // else reference_weight()
   PowerHeuristic heuristic;
   bool unweighted;
   uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced

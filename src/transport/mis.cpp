@@ -46,7 +46,8 @@ double reference_weight(const PathTechniques& path, int s, const TransportOption
   const int techniques = path.count + 1;
   // p_i relative to p_s, up and down from s by (10.9), before the corrections for single techniques.
   std::vector<double> p(size_t(techniques), 1.0);
-  for (int i = s; i + 1 < techniques; ++i) p[size_t(i + 1)] = p[size_t(i)] * path.vertices[i].light / path.vertices[i].eye;
+  for (int i = s; i + 1 < techniques; ++i)
+    p[size_t(i + 1)] = p[size_t(i)] * path.vertices[i].light / path.vertices[i].eye;
   for (int i = s; i > 0; --i) p[size_t(i - 1)] = p[size_t(i)] * path.vertices[i - 1].eye / path.vertices[i - 1].light;
   // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
   if (techniques > 2 && path.count > 2) p[1] *= path.direct;
@@ -74,7 +75,8 @@ double reference_weight(const PathTechniques& path, int s, const TransportOption
     case Heuristic::Average:
       for (double v : p) sum += v > 0;
       return 1 / sum;
-    case Heuristic::None: return 1;
+    case Heuristic::None:
+      return 1;
   }
   return 0;
 }

@@ -63,8 +63,8 @@ struct TechniqueClasses {
 
 // One vertex of a whole path, for the reference below.
 struct PathVertex {
-  double light;     // density with which the light's side samples it
-  double eye;       // density with which the eye's side does
+  double light;  // density with which the light's side samples it
+  double eye;    // density with which the eye's side does
   bool specular;
 };
 

@@ -14,7 +14,8 @@ void plan_one_to_one(Block& block) {
       if (z.count <= max_edges && engine.allows(1, z.count)) block.connect_to_light(z, sample);
       for (uint32_t j = pool.last_light[sample]; j != kNoVertex; j = pool.light[j].previous_index) {
         const Vertex& y = pool.light[j];
-        if (!y.specular && y.count + z.count - 1 <= max_edges && engine.allows(y.count, z.count)) block.connect(y, z, sample);
+        if (!y.specular && y.count + z.count - 1 <= max_edges && engine.allows(y.count, z.count))
+          block.connect(y, z, sample);
       }
     }
     for (uint32_t j = pool.last_light[sample]; j != kNoVertex; j = pool.light[j].previous_index) {

@@ -21,37 +21,37 @@ namespace bdpt {
 // A vertex on a surface: y_1, y_2, ... or z_1, z_2, ...; y_0 and z_0 live in LightStart and EyeStart.
 struct Vertex {
   Vec3 p;
-  float density;             // P_A of this vertex, as its own side samples it
-  Vec3 ng;                   // geometric normal, on the surface's front
-  float geometry;            // G(this <-> previous)
-  Vec3 ns;                   // shading normal
-  float sums;                // v_i of mis.h
-  Vec3 previous;             // unit direction toward the previous vertex
-  float technique;           // u_i of mis.h
-  Vec3 tangent;              // for anisotropic materials
-  float previous_reverse;    // P_A of the previous vertex, as the other side samples it coming from here
-  Rgb throughput;            // alpha
+  float density;           // P_A of this vertex, as its own side samples it
+  Vec3 ng;                 // geometric normal, on the surface's front
+  float geometry;          // G(this <-> previous)
+  Vec3 ns;                 // shading normal
+  float sums;              // v_i of mis.h
+  Vec3 previous;           // unit direction toward the previous vertex
+  float technique;         // u_i of mis.h
+  Vec3 tangent;            // for anisotropic materials
+  float previous_reverse;  // P_A of the previous vertex, as the other side samples it coming from here
+  Rgb throughput;          // alpha
   Rgb reflectance;
   const Material* material;
-  uint32_t previous_index;   // in the block's vertices of this side; kNoVertex for y_1 and z_1
-  float previous_density;    // P_A of the previous vertex, as its own side samples it
-  float direct;              // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
-  float previous_cosine_g;   // of previous with ng
-  float previous_cosine_s;   // of previous with ns
-  uint32_t count;            // vertices of the subpath up to and with this one: s or t
-  bool specular;             // no connection is made here
-  bool start_hittable;       // light side: eye subpaths can hit y_0
-  bool start_finite;         // light side: y_0 is a point
+  uint32_t previous_index;  // in the block's vertices of this side; kNoVertex for y_1 and z_1
+  float previous_density;   // P_A of the previous vertex, as its own side samples it
+  float direct;             // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
+  float previous_cosine_g;  // of previous with ng
+  float previous_cosine_s;  // of previous with ns
+  uint32_t count;           // vertices of the subpath up to and with this one: s or t
+  bool specular;            // no connection is made here
+  bool start_hittable;      // light side: eye subpaths can hit y_0
+  bool start_finite;        // light side: y_0 is a point
 };
 
 inline constexpr uint32_t kNoVertex = ~0u;
 
 // f_s in geometric terms, and both densities, for two directions at a surface vertex.
 struct Scattering {
-  Rgb f;                     // f_s (previous, next), to be used with G of geometric normals; Veach 5.3's correction for
-                             // shading normals is part of it: f |w_light ns| / |w_light ng|
-  float next;                // projected density of next, given previous
-  float previous;            // projected density of previous, given next
+  Rgb f;           // f_s (previous, next), to be used with G of geometric normals; Veach 5.3's correction for
+                   // shading normals is part of it: f |w_light ns| / |w_light ng|
+  float next;      // projected density of next, given previous
+  float previous;  // projected density of previous, given next
 };
 
 // False where nothing is scattered from one direction into the other.
@@ -66,7 +66,8 @@ inline bool scatter(const Vertex& v, const Vec3& next, TransportMode mode, Scatt
     previous_density = std::fabs(sp) * kInvPi;
   } else {
     const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
-    const BsdfValue value = evaluate(*v.material, v.reflectance, frame.to_local(v.previous), frame.to_local(next), mode);
+    const BsdfValue value =
+        evaluate(*v.material, v.reflectance, frame.to_local(v.previous), frame.to_local(next), mode);
     if (is_black(value.f)) return false;
     out.f = value.f;
     next_density = value.density;

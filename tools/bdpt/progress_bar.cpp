@@ -58,7 +58,9 @@ void ProgressBar::draw(const bdpt_progress& progress) {
   if (progress.seconds > 0)
     line.append("  ").append(format_rate(static_cast<double>(progress.samples) / progress.seconds)).append("samples/s");
   if (progress.fraction > 0) {
-    line.append("  ").append(format_seconds(progress.seconds * (1 - progress.fraction) / progress.fraction)).append(" left");
+    line.append("  ")
+        .append(format_seconds(progress.seconds * (1 - progress.fraction) / progress.fraction))
+        .append(" left");
   }
   const std::size_t width = line.size();
   if (width < drawn_) line += std::string(drawn_ - width, ' ');
