@@ -739,13 +739,14 @@ typedef struct bdpt_display_desc {
   float exposure;          /* stops; the pixels are multiplied by 2^exposure first */
   uint32_t reserved;
   const char *config;      /* BDPT_VIEW_OCIO: path of a configuration; NULL = the environment variable OCIO */
-  const char *color_space; /* BDPT_VIEW_OCIO: of the pixels; NULL = the role scene_linear */
+  const char *color_space; /* BDPT_VIEW_OCIO: of the pixels; NULL = the role scene_linear, which in many
+                              configurations is not Rec. 709: then name the one that is */
   const char *display;     /* BDPT_VIEW_OCIO: NULL = the configuration's default */
   const char *ocio_view;   /* BDPT_VIEW_OCIO: NULL = the display's default */
 } bdpt_display_desc;
 
-/* Turns linear pixels (3 floats each, packed, Rec. 709 primaries) into display values in [0,1], in place, by
- * OpenColorIO. desc may be NULL for sRGB.
+/* Turns linear pixels (3 floats each, packed; Rec. 709 primaries but for BDPT_VIEW_OCIO) into display values in [0,1],
+ * in place, by OpenColorIO. What is not a number counts as 0. desc may be NULL for sRGB.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration),
  * _FORMAT (a damaged one).
  * Threads: any thread. Callbacks: allowed. Ownership: writes pixels. */
@@ -762,7 +763,7 @@ typedef struct bdpt_exr_desc {
   uint32_t width, height;
   uint32_t layer_count;           /* at least 1 */
   const bdpt_image_layer *layers; /* layer_count of them */
-  uint32_t half;                  /* 1: 16-bit floats, 0: 32-bit */
+  uint32_t half;                  /* 1: 16-bit floats, finite values clipped to +-65504; 0: 32-bit */
   uint32_t layer_stride;          /* bytes from layer to layer; 0 = sizeof(bdpt_image_layer) */
 } bdpt_exr_desc;
 
