@@ -56,7 +56,7 @@ std::vector<Case> light_cases() {
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 30, 20, {}},
           {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 1000, 60, {0, 1}, 0, false},
           {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 6, 30, 30, {3}},
-          {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 1000, 400, {}},
+          {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 1000, 300, {0}},
           {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 3, 200, 150, {}, 32}};
 }
 

@@ -74,12 +74,6 @@ Isa best_isa() {
   return Isa::Sse42;
 }
 
-[[noreturn]] void fail_device(RTCDevice device, const char* what) {
-  const RTCError error = rtcGetDeviceError(device);
-  if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, what, ": Embree is out of memory");
-  fail(ErrorCode::Internal, what, ": Embree reports error ", int(error));
-}
-
 }  // namespace
 
 struct RayDevice::Implementation {
@@ -150,8 +144,25 @@ struct RayScene::Implementation {
     return !i.cancelled;
   }
 
+  // What Embree refused to make: at the host's limit, or without memory.
+  [[noreturn]] void fail_refused(RTCError error) {
+    auto& d = device->implementation();
+    if (d.over_limit.exchange(false))
+      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
+           " bytes");
+    if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+    fail(ErrorCode::Internal, "Embree reports error ", int(error), " while building");
+  }
+
+  RTCGeometry new_geometry(RTCGeometryType type) {
+    RTCGeometry g = rtcNewGeometry(handle(), type);
+    if (!g) fail_refused(rtcGetDeviceError(handle()));
+    return g;
+  }
+
   RTCScene new_scene() {
     RTCScene s = rtcNewScene(handle());
+    if (!s) fail_refused(rtcGetDeviceError(handle()));
     rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);  // the HIGH builder is not known to be deterministic
     return s;
@@ -163,19 +174,12 @@ struct RayScene::Implementation {
       rtcGetDeviceError(handle());
       throw Cancelled();
     }
-    auto& d = device->implementation();
-    if (d.over_limit.exchange(false)) {
-      rtcGetDeviceError(handle());
-      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
-           " bytes");
-    }
     const RTCError error = rtcGetDeviceError(handle());
-    if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
-    if (error != RTC_ERROR_NONE) fail(ErrorCode::Internal, "Embree reports error ", int(error), " while building");
+    if (device->implementation().over_limit || error != RTC_ERROR_NONE) fail_refused(error);
   }
 
   RTCGeometry triangles(const View<Vec3>& positions, const View<Triangle>& indices) {
-    RTCGeometry g = rtcNewGeometry(handle(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, positions.stride(),
                                positions.size());
     rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, indices.stride(),
@@ -184,17 +188,20 @@ struct RayScene::Implementation {
   }
 
   RTCGeometry sphere(const Sphere& s, const Transform& transform) {
-    RTCGeometry g = rtcNewGeometry(handle(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_SPHERE_POINT);
     auto* v = static_cast<float*>(
         rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
-    if (!v) fail_device(handle(), "a sphere");
+    if (!v) {
+      rtcReleaseGeometry(g);
+      fail_refused(rtcGetDeviceError(handle()));
+    }
     const Vec3 c = transform.point(s.center);
     v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = s.radius * length(transform.column(0));
     return g;
   }
 
   RTCGeometry instance(RTCScene of, const Transform& transform) {
-    RTCGeometry g = rtcNewGeometry(handle(), RTC_GEOMETRY_TYPE_INSTANCE);
+    RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(g, of);
     rtcSetGeometryTimeStepCount(g, 1);
     rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, transform.m);
