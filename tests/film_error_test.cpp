@@ -34,12 +34,12 @@ class FilmError : public ::testing::TestWithParam<Setup> {
 // Over many seeds the mean of the variance layer is the variance of the picture.
 TEST_P(FilmError, VarianceLayerIsTheVarianceOfThePicture) {
   constexpr int seeds = 800;
-  std::vector<std::vector<float>> colors, variances;
-  for (int i = 0; i < seeds; ++i) {
-    const auto film = picture(GetParam().passes, 5000 + uint64_t(i));
-    colors.push_back(read(*film));
-    variances.push_back(read(*film, FilmLayer::Variance));
-  }
+  std::vector<std::vector<float>> colors(seeds), variances(seeds);
+  in_parallel(seeds, [&](size_t i) {
+    const auto film = picture(GetParam().passes, 5000 + i);
+    colors[i] = read(*film);
+    variances[i] = read(*film, FilmLayer::Variance);
+  });
   const size_t values = colors[0].size();
   std::vector<double> mean(values);
   for (const auto& c : colors)

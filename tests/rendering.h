@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <functional>
+#include <sstream>
 #include <string>
+#include <thread>
 
 namespace bdpt::rendering {
 
@@ -25,6 +28,12 @@ inline TechniqueMask mask_of(const std::function<bool(int s, int t)>& allows) {
 }
 inline TechniqueMask only(int s0, int t0) {
   return mask_of([=](int s, int t) { return s == s0 && t == t0; });
+}
+
+inline std::string technique_name(int s, int t) {
+  std::ostringstream name;
+  name << '(' << s << ',' << t << ')';
+  return name.str();
 }
 
 // Independent numbers: the errors of two renders are then those of independent samples.
@@ -58,6 +67,24 @@ inline std::shared_ptr<Executor> threads(uint32_t n = 2) {
   return pool;
 }
 
+// Renders of few pixels would wait for each other's threads at the end of every pass: they run on the caller's alone,
+// and many of them side by side.
+inline std::shared_ptr<Executor> caller() {
+  HostExecutor host;
+  host.run = [](void*, uint32_t n, void (*body)(void*, uint32_t), void* user) {
+    for (uint32_t i = 0; i < n; ++i) body(user, i);
+  };
+  return make_host_executor(host);
+}
+inline void in_parallel(size_t count, const std::function<void(size_t)>& body) {
+  std::atomic<size_t> next = 0;
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < 2; ++i)
+    workers.emplace_back([&] {
+      for (size_t k; (k = next++) < count;) body(k);
+    });
+}
+
 struct Picture {
   std::shared_ptr<Film> film;
   TransportStats stats;
@@ -66,7 +93,7 @@ struct Picture {
 inline Picture render(const ScenePointer& scene, const SensorPointer& sensor, const FilmDesc& film,
                       const RenderDesc& desc, uint64_t passes) {
   Picture picture{std::make_shared<Film>(film, nullptr), {}};
-  Render render(scene, sensor, picture.film, threads(), nullptr, desc);
+  Render render(scene, sensor, picture.film, caller(), nullptr, desc);
   AdvanceDesc advance;
   advance.passes = passes;
   render.advance(advance);
@@ -131,15 +158,25 @@ struct Effort {
   int side = 8;
 };
 
-inline BlockMeans block_means(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options,
-                              const Effort& effort) {
+inline BlockMeans block_means(const ScenePointer& scene, const SensorPointer& sensor, const FilmDesc& film,
+                              const TransportOptions& options, const Effort& effort) {
+  std::vector<Picture> pictures(static_cast<size_t>(effort.seeds));
+  in_parallel(pictures.size(), [&](size_t i) {
+    RenderDesc desc;
+    desc.transport = options;
+    desc.seed = effort.first_seed * 1000 + i;
+    pictures[i] = render(scene, sensor, film, desc, effort.passes);
+  });
   BlockMeans means;
-  for (int i = 0; i < effort.seeds; ++i) {
-    const Picture p = render(scene, sensor, options, effort.passes, effort.first_seed * 1000 + uint64_t(i));
+  for (const Picture& p : pictures) {
     means.add(*p.film, effort.side);
     means.rejected += p.stats.rejected;
   }
   return means;
+}
+inline BlockMeans block_means(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options,
+                              const Effort& effort) {
+  return block_means(scene, sensor, film_desc(sensor->width(), sensor->height()), options, effort);
 }
 
 // Student's t with these degrees of freedom as a deviation of a normal distribution (Wallace 1959).
@@ -169,6 +206,13 @@ inline void expect_same(const BlockMeans& a, const BlockMeans& b, size_t family,
         << what << ", value " << i << " of " << a.values.size() << ": " << a.values[i].mean() << " +- "
         << a.values[i].standard_error() << " and " << b.values[i].mean() << " +- " << b.values[i].standard_error();
   EXPECT_EQ(a.rejected + b.rejected, 0u) << what;
+}
+
+// Each against each other.
+inline void expect_all_same(const std::vector<BlockMeans>& means, const std::vector<std::string>& names) {
+  const size_t pairs = means.size() * (means.size() - 1) / 2;
+  for (size_t i = 0; i < means.size(); ++i)
+    for (size_t j = 0; j < i; ++j) expect_same(means[i], means[j], pairs, names[i] + " against " + names[j]);
 }
 
 inline void expect_value(const Estimate& a, double value, size_t family, const std::string& what,

@@ -152,6 +152,8 @@ TEST(TransportClosedForm, FurnaceOfAClosedBox) {
   expect_radiance(b, view, 2, late, 6, "all");
   late.roulette_start = 1;
   expect_radiance(b, view, 2, late, 12, "all, roulette from the start");
+  late.techniques = kPath;
+  expect_radiance(b, view, 2, late, 64, "path, roulette from the start");
   late.roulette_start = 12;
   expect_radiance(b, view, 2, late, 6, "all, late roulette");
 }

@@ -31,6 +31,7 @@ TEST_P(TransportTechnique, AloneGivesThePictureOfItsPaths) {
   view.focus = 2;
   const SensorPointer camera = scenes::camera(view, 16, 16);
   std::vector<BlockMeans> means;
+  std::vector<std::string> names;
   for (int s = 0; s <= k + 1; ++s) {
     TransportOptions options = options_for(only(s, k + 1 - s), k);
     options.heuristic = Heuristic::None;
@@ -39,13 +40,9 @@ TEST_P(TransportTechnique, AloneGivesThePictureOfItsPaths) {
     // Hits are rare where the other techniques choose, and little of the light comes into the picture.
     const uint64_t passes = s >= 2 ? 512 : 256;
     means.push_back(block_means(scene, camera, options, {.passes = passes, .first_seed = uint64_t(10 * k + s)}));
+    names.push_back(technique_name(s, k + 1 - s));
   }
-  const size_t pairs = means.size() * (means.size() - 1) / 2;
-  for (size_t i = 0; i < means.size(); ++i)
-    for (size_t j = 0; j < i; ++j)
-      expect_same(means[i], means[j], pairs,
-                  "(" + std::to_string(i) + "," + std::to_string(k + 1 - int(i)) + ") against (" + std::to_string(j) +
-                      "," + std::to_string(k + 1 - int(j)) + ")");
+  expect_all_same(means, names);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEdges, TransportTechnique, ::testing::Values(1, 2, 3));
