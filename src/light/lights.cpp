@@ -1,5 +1,6 @@
 #include "light/lights.h"
 
+#include "geometry/margin.h"
 #include "sampling/warp.h"
 
 #include <limits>
@@ -20,6 +21,7 @@ void sample_triangles(const Lights::AreaLight& a, double u, float u1, float u2, 
   const Vec2 b = sample_triangle(u1, u2);
   y0.p = t.corner + t.edge1 * b.x + t.edge2 * b.y;
   y0.normal = t.normal;
+  y0.margin = t.margin;
 }
 
 double power_of_area(const Lights::AreaLight& a) {
@@ -109,6 +111,7 @@ bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart&
       if (a.is_sphere) {
         y0.normal = sample_sphere(u[1], u[2]);
         y0.p = a.center + y0.normal * a.radius;
+        y0.margin = margin_of_sphere(a.center, a.radius);
       } else {
         sample_triangles(a, u0, u[1], u[2], y0);
       }
@@ -175,6 +178,7 @@ bool Lights::sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, f
     y0.normal = sample_sphere(u0, u1);
   }
   y0.p = a.center + y0.normal * a.radius;
+  y0.margin = margin_of_sphere(a.center, a.radius);
   return true;
 }
 

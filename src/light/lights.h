@@ -24,6 +24,7 @@ struct LightPoint {
   bool has_area = false;  // an area light: cosines at y0 count, eye subpaths can hit it
   Vec3 p;                 // not for infinite lights
   Vec3 normal;            // of an area light: geometric, toward its front
+  float margin = 0;       // of an area light: see off_surface()
 };
 
 struct LightStart {
@@ -47,8 +48,9 @@ struct DirectLight {
 struct LightTriangle {
   Vec3 corner, edge1, edge2;
   Vec3 normal;  // unit, toward the front
-  LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n)
-      : corner(a), edge1(b - a), edge2(c - a), normal(n) {}
+  float margin;
+  LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, float m)
+      : corner(a), edge1(b - a), edge2(c - a), normal(n), margin(m) {}
 };
 
 class Lights {

@@ -3,6 +3,9 @@
 
 #include "math/vec.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bdpt {
 
 struct Transform {
@@ -15,6 +18,13 @@ struct Transform {
   Vec3 vector(const Vec3& v) const {
     return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[4] * v.x + m[5] * v.y + m[6] * v.z,
             m[8] * v.x + m[9] * v.y + m[10] * v.z};
+  }
+  // The largest term that point(p) adds up: its rounding error is a few ulps of this.
+  float magnitude(const Vec3& p) const {
+    const auto row = [&](const float* r) {
+      return std::fabs(r[0] * p.x) + std::fabs(r[1] * p.y) + std::fabs(r[2] * p.z) + std::fabs(r[3]);
+    };
+    return std::max({row(m), row(m + 4), row(m + 8)});
   }
   Vec3 column(int i) const { return {m[i], m[4 + i], m[8 + i]}; }
   // The transpose of the linear part: takes normals when called on the inverse.

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "geometry/margin.h"
 #include "sampling/hash.h"
 
 #include <limits>
@@ -211,11 +212,11 @@ void Scene::collect_lights() {
           grow(low, high, corner[c++]);
         }
         if (!emits) continue;
-        Surface surface;
+        Surface surface{};
         const bool valid = triangle_surface(instance, uint32_t(k), 1.0f / 3, 1.0f / 3, surface);
         area.push_back(valid ? 0.5 * double(length(cross(corner[1] - corner[0], corner[2] - corner[0]))) : 0);
         total += area.back();
-        light.triangles.emplace_back(corner[0], corner[1], corner[2], valid ? surface.ng : Vec3(0));
+        light.triangles.emplace_back(corner[0], corner[1], corner[2], valid ? surface.ng : Vec3(0), surface.margin);
       }
       if (emits) light.by_area = Discrete(area);
       light.area = float(total);
@@ -247,6 +248,10 @@ bool Scene::triangle_surface(const Instance& instance, uint32_t primitive, float
   }
   const Vec3 e1 = b - a, e2 = c - a;
   s.p = a + e1 * u + e2 * v;
+  s.margin = flat ? margin_of(largest(a, b, c))
+                  : margin_of(std::max({instance.transform.magnitude(mesh.positions[t.a]),
+                                        instance.transform.magnitude(mesh.positions[t.b]),
+                                        instance.transform.magnitude(mesh.positions[t.c])}));
   Vec3 n = cross(e1, e2) * instance.handedness;
   const float n2 = length_squared(n);
   if (!(n2 > 0)) return false;
@@ -276,6 +281,7 @@ bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
     if (!(n2 > 0)) return false;
     s.ng = s.ns = n * (1 / std::sqrt(n2));
     s.p = instance.center + s.ng * instance.radius;
+    s.margin = margin_of_sphere(instance.center, instance.radius);
     s.tangent = Vec3(-s.ng.y, s.ng.x, 0);
     return true;
   }

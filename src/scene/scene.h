@@ -16,6 +16,7 @@ namespace bdpt {
 // A point of a surface.
 struct Surface {
   Vec3 p;
+  float margin;  // see off_surface()
   Vec3 ng;       // geometric normal, unit, on the front
   Vec3 ns;       // shading normal, unit, in the hemisphere of ng
   Vec3 tangent;  // along u of uv set 0; set for anisotropic materials only

@@ -114,7 +114,7 @@ void Block::start_light(uint64_t pass, uint64_t number, uint32_t sample) {
   w.count = 1;
   w.sample = sample;
   push_walker(walkers_, rays_, w,
-              y0.y0.has_area ? offset_toward(y0.origin, y0.y0.normal, y0.direction, engine_.offset_unit) : y0.origin);
+              y0.y0.infinite ? y0.origin : off_surface(y0.y0, y0.direction));
 }
 
 void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from) {
@@ -173,6 +173,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   const uint32_t index = uint32_t(vertices.size());
   Vertex& v = vertices.emplace_back();
   v.p = surface.p;
+  v.margin = surface.margin;
   v.density = density;
   v.ng = surface.ng;
   v.geometry = geometry;
@@ -333,7 +334,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.start_hittable = w.start_hittable;
   n.start_finite = w.start_finite;
   v.previous_reverse = reverse * v.geometry;
-  push_walker(next_walkers_, next_rays_, n, offset_toward(v.p, v.ng, next, engine_.offset_unit));
+  push_walker(next_walkers_, next_rays_, n, off_surface(v, next));
 }
 
 // --- shadow and accumulate ---

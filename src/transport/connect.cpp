@@ -37,8 +37,7 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  const float unit = engine_.offset_unit;
-  push_connection(between(offset_toward(y.p, y.ng, w, unit), offset_toward(z.p, z.ng, -w, unit)), c, sample, y.count,
+  push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count,
                   z.count);
 }
 
@@ -79,12 +78,11 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  const float unit = engine_.offset_unit;
-  const Vec3 from = offset_toward(z.p, z.ng, w, unit);
+  const Vec3 from = off_surface(z, w);
   if (y0.infinite)
     push_connection({from, kInfinity, w}, c, sample, 1, z.count);
   else
-    push_connection(between(from, y0.has_area ? offset_toward(y0.p, y0.normal, -w, unit) : y0.p), c, sample, 1,
+    push_connection(between(from, off_surface(y0, -w)), c, sample, 1,
                     z.count);
 }
 
@@ -117,7 +115,7 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  push_connection(between(offset_toward(y.p, y.ng, w, engine_.offset_unit), z0.p), c, sample, y.count, 1, z0.film);
+  push_connection(between(off_surface(y, w), z0.p), c, sample, y.count, 1, z0.film);
 }
 
 void Block::connect_start_to_sensor(uint32_t sample) {
@@ -152,7 +150,7 @@ void Block::connect_start_to_sensor(uint32_t sample) {
   }
   c *= weight;
   if (is_black(c)) return;
-  const Vec3 from = y0.has_area ? offset_toward(y0.p, y0.normal, w, engine_.offset_unit) : y0.p;
+  const Vec3 from = off_surface(y0, w);
   push_connection(between(from, z0.p), c, sample, 1, 1, z0.film);
 }
 

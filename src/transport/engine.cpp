@@ -37,8 +37,6 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   hit_sensor = false;
   for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
   if (scene.lights().empty()) max_eye = max_light = 0;
-  const float size = length(scene.info().bounds_max - scene.info().bounds_min);
-  offset_unit = size > 0 ? std::min(size, 1.0f) : 1.0f;
 }
 
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {

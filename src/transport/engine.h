@@ -36,7 +36,6 @@ struct Engine {
   bool unweighted;
   uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced
   bool hit_sensor;              // whether t = 0 is done at all
-  float offset_unit;            // see offset()
   RayRecorder* recorder = nullptr;
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);

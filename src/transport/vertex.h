@@ -11,6 +11,8 @@
 //   throughput           alpha_i (10.6), (10.7): all factors up to this vertex
 #pragma once
 
+#include "geometry/margin.h"
+#include "light/lights.h"
 #include "material/material.h"
 #include "math/vec.h"
 
@@ -39,6 +41,7 @@ struct Vertex {
   float previous_cosine_g;  // of previous with ng
   float previous_cosine_s;  // of previous with ns
   uint32_t count;           // vertices of the subpath up to and with this one: s or t
+  float margin;             // see off_surface()
   bool specular;            // no connection is made here
   bool start_hittable;      // light side: eye subpaths can hit y_0
   bool start_finite;        // light side: y_0 is a point
@@ -80,20 +83,8 @@ inline bool scatter(const Vertex& v, const Vec3& next, TransportMode mode, Scatt
   return true;
 }
 
-// A point just off the surface at p, on the side toward which n points, by a distance that scales with the coordinates
-// (Waechter and Binder 2019). unit is the size for which their constants are made: 1, or that of a smaller scene.
-inline Vec3 offset(const Vec3& p, const Vec3& n, float unit) {
-  const float origin = unit / 32, float_scale = unit / 65536;
-  constexpr float int_scale = 256;
-  const auto one = [&](float x, float nx) {
-    if (std::fabs(x) < origin) return x + float_scale * nx;
-    const int32_t step = int32_t(int_scale * nx);
-    return __builtin_bit_cast(float, __builtin_bit_cast(int32_t, x) + (x < 0 ? -step : step));
-  };
-  return {one(p.x, n.x), one(p.y, n.y), one(p.z, n.z)};
-}
-inline Vec3 offset_toward(const Vec3& p, const Vec3& ng, const Vec3& w, float unit) {
-  return offset(p, dot(ng, w) < 0 ? -ng : ng, unit);
-}
+// Where rays between a vertex and w start or end. Points have no margin.
+inline Vec3 off_surface(const Vertex& v, const Vec3& w) { return off_surface(v.p, v.ng, v.margin, w); }
+inline Vec3 off_surface(const LightPoint& y0, const Vec3& w) { return off_surface(y0.p, y0.normal, y0.margin, w); }
 
 }  // namespace bdpt
