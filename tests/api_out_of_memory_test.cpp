@@ -1,7 +1,10 @@
 // Memory that runs out, at each allocation in turn: the call fails, nothing has changed, nothing is lost.
 #include "api_scene.h"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <new>
 
@@ -10,20 +13,22 @@ namespace {
 // Allocations of this thread until one fails; none fails at zero.
 thread_local int allocations_left = 0;
 
-void* allocate(std::size_t size) {
-  if (allocations_left > 0 && --allocations_left == 0) throw std::bad_alloc();
+// Embree's own do not fail: version 3 loses memory then, and version 4 frees what it does not own.
+bool is_embree(const void* caller) {
+  Dl_info info;
+  return dladdr(caller, &info) && info.dli_fname && std::strstr(info.dli_fname, "libembree");
+}
+
+void* allocate(std::size_t size, const void* caller) {
+  if (allocations_left > 0 && !is_embree(caller) && --allocations_left == 0) throw std::bad_alloc();
   if (void* memory = std::malloc(size ? size : 1)) return memory;
   throw std::bad_alloc();
 }
 
 }  // namespace
 
-// Of LeakSanitizer, where the test is built with it.
-extern "C" void __lsan_disable() __attribute__((weak));
-extern "C" void __lsan_enable() __attribute__((weak));
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size) { return allocate(size, __builtin_return_address(0)); }
+void* operator new[](std::size_t size) { return allocate(size, __builtin_return_address(0)); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
@@ -32,25 +37,14 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 namespace bdpt_api {
 namespace {
 
-// Embree loses memory of its own when an allocation of its own fails.
-struct EmbreeMayLeak {
-  EmbreeMayLeak() {
-    if (__lsan_disable) __lsan_disable();
-  }
-  ~EmbreeMayLeak() {
-    if (__lsan_enable) __lsan_enable();
-  }
-};
-
 // Lets the first, second, third ... allocation of the call fail until the call succeeds. Returns how many failed.
-int fail_each_allocation(const std::function<bdpt_result()>& call, bool any_error = false) {
+int fail_each_allocation(const std::function<bdpt_result()>& call) {
   for (int n = 1; n < 10000; ++n) {
     allocations_left = n;
     const bdpt_result result = call();
     allocations_left = 0;
     if (result == BDPT_OK) return n - 1;
     EXPECT_LT(result, 0);
-    if (any_error) continue;
     EXPECT_EQ(BDPT_ERROR_OUT_OF_MEMORY, result) << bdpt_last_error();
     EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "memory"));
   }
@@ -140,7 +134,6 @@ TEST(ApiOutOfMemory, ASceneIsBuiltWholeOrNotAtAll) {
   one_thread.threads = 1;
   const World world(&one_thread);
   const uint64_t memory = memory_in_use(world.context.get());
-  const EmbreeMayLeak leak;
   bdpt_scene* scene = nullptr;
   EXPECT_GT(fail_each_allocation([&] {
               const bdpt_result result = bdpt_scene_build(world.builder.get(), nullptr, &scene);
@@ -187,9 +180,7 @@ TEST(ApiOutOfMemory, AContextIsMadeWholeOrNotAtAllAndDropsOnce) {
   desc.executor = &executor;
   desc.log = &log;
   bdpt_context* context = nullptr;
-  const EmbreeMayLeak leak;
-  // Embree does not always say why it has no device to give.
-  const int failed = fail_each_allocation([&] { return bdpt_context_create(BDPT_ABI, &desc, &context); }, true);
+  const int failed = fail_each_allocation([&] { return bdpt_context_create(BDPT_ABI, &desc, &context); });
   EXPECT_GT(failed, 0);
   EXPECT_EQ(failed, drops.executor);
   EXPECT_EQ(failed, drops.log);
