@@ -212,11 +212,12 @@ inline std::vector<float> pixels_of(const bdpt_film* film, bdpt_layer layer = BD
   return pixels;
 }
 
-inline uint64_t memory_in_use(const bdpt_context* context) {
+inline bdpt_context_info info_of(const bdpt_context* context) {
   bdpt_context_info info = make<bdpt_context_info>();
   EXPECT_OK(bdpt_context_get_info(context, &info));
-  return info.memory;
+  return info;
 }
+inline uint64_t memory_in_use(const bdpt_context* context) { return info_of(context).memory; }
 
 // All it takes to render.
 struct World {

@@ -13,6 +13,7 @@ struct Setup {
   uint64_t passes;
   bool by_weights;
 };
+void PrintTo(const Setup& setup, std::ostream* out) { *out << setup.name; }
 
 class FilmError : public ::testing::TestWithParam<Setup> {
  protected:

@@ -22,7 +22,7 @@ Builder box_before_lens(bool glass) {
 
 Viewpoint lens(int blades) {
   Viewpoint view{Vec3(0, 0, 0.95f), Vec3(0, -0.3f, -0.6f), 70};
-  view.lens_radius = 0.2f;
+  view.lens_radius = 0.1f;
   view.focus = 1;
   view.blades = blades;
   view.rotation = 20;
@@ -43,7 +43,7 @@ TEST(TransportLens, LightHittingTheLensGivesThePictureOfLightTracingAndOfPathTra
   for (int blades : {0, 5}) {
     const std::string name = blades ? "bladed, " : "round, ";
     const BlockMeans hits = measure(
-        false, blades, [](int, int t) { return t == 0; }, 20, 1, kMaxEdges);
+        false, blades, [](int, int t) { return t == 0; }, 80, 1, kMaxEdges);
     const BlockMeans traced = measure(
         false, blades, [](int, int t) { return t == 1; }, 8, 2, kMaxEdges);
     const BlockMeans eye = measure(
@@ -59,7 +59,7 @@ TEST(TransportLens, LightHittingTheLensGivesThePictureOfLightTracingAndOfPathTra
 // Through the glass light finds the lens by hits only, and eye subpaths find the light by hits or connections beyond.
 TEST(TransportLens, LightHittingTheLensThroughGlassGivesThePictureOfPathTracing) {
   const BlockMeans hits = measure(
-      true, 6, [](int, int t) { return t == 0; }, 24, 1, 7);
+      true, 6, [](int, int t) { return t == 0; }, 96, 1, 7);
   const BlockMeans eye = measure(
       true, 6, [](int, int t) { return t >= 2; }, 6, 2, 7);
   const BlockMeans light = measure(
