@@ -85,21 +85,21 @@ extern "C" {
 #define BDPT_ABI 1u
 
 typedef int32_t bdpt_result;
-#define BDPT_OK 0                       /* success */
-#define BDPT_CANCELLED 1                /* stopped by a cancel token; finished work is kept */
-#define BDPT_ERROR_INVALID_ARGUMENT -1  /* an argument or field is NULL, out of range, not finite or unknown */
-#define BDPT_ERROR_INVALID_ID -2        /* an id is zero, stale, or of another builder */
-#define BDPT_ERROR_OUT_OF_MEMORY -3     /* the system has no memory left */
-#define BDPT_ERROR_MEMORY_LIMIT -4      /* the context's memory limit would be exceeded */
-#define BDPT_ERROR_UNSUPPORTED -5       /* not in this build, or not on this machine */
-#define BDPT_ERROR_ABI -6               /* header and library are of different ABI versions */
-#define BDPT_ERROR_IO -7                /* a file could not be opened, read or written */
-#define BDPT_ERROR_FORMAT -8            /* a file is damaged or of another kind */
-#define BDPT_ERROR_MISMATCH -9          /* two objects do not fit: other scene, options, size, or overlapping passes */
-#define BDPT_ERROR_IN_USE -10           /* the object is still referred to by another */
-#define BDPT_ERROR_REENTRANT -11        /* called from inside a callback that does not allow it */
-#define BDPT_ERROR_CALLBACK_FAILED -12  /* a callback of the host returned a value other than zero */
-#define BDPT_ERROR_INTERNAL -13         /* a fault of the library: please report it */
+#define BDPT_OK 0                        /* success */
+#define BDPT_CANCELLED 1                 /* stopped by a cancel token; finished work is kept */
+#define BDPT_ERROR_INVALID_ARGUMENT (-1) /* an argument or field is NULL, out of range, not finite or unknown */
+#define BDPT_ERROR_INVALID_ID (-2)       /* an id is zero, stale, or of another builder */
+#define BDPT_ERROR_OUT_OF_MEMORY (-3)    /* the system has no memory left */
+#define BDPT_ERROR_MEMORY_LIMIT (-4)     /* the context's memory limit would be exceeded */
+#define BDPT_ERROR_UNSUPPORTED (-5)      /* not in this build, or not on this machine */
+#define BDPT_ERROR_ABI (-6)              /* header and library are of different ABI versions */
+#define BDPT_ERROR_IO (-7)               /* a file could not be opened, read or written */
+#define BDPT_ERROR_FORMAT (-8)           /* a file is damaged or of another kind */
+#define BDPT_ERROR_MISMATCH (-9)         /* two objects do not fit: other scene, options, size, or overlapping passes */
+#define BDPT_ERROR_IN_USE (-10)          /* the object is still referred to by another */
+#define BDPT_ERROR_REENTRANT (-11)       /* called from inside a callback that does not allow it */
+#define BDPT_ERROR_CALLBACK_FAILED (-12) /* a callback of the host returned a value other than zero */
+#define BDPT_ERROR_INTERNAL (-13)        /* a fault of the library: please report it */
 
 /* The library's version, packed as 0x00MMmmpp (major, minor, patch).
  * Returns: the packed version. Threads: any thread. Callbacks: allowed. Ownership: none. */

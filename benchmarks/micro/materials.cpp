@@ -54,7 +54,7 @@ void evaluate(benchmark::State& state, const bdpt::Material& material) {
     b.push_back(bdpt::sample_cosine_hemisphere(u[2], u[3]));
   }
   std::uint32_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     benchmark::DoNotOptimize(bdpt::evaluate(material, material.reflectance, a[i], b[i], bdpt::TransportMode::Radiance));
     i = (i + 1) % kDraws;
   }
@@ -64,9 +64,10 @@ void evaluate(benchmark::State& state, const bdpt::Material& material) {
 void sample(benchmark::State& state, const bdpt::Material& material) {
   const std::vector<bdpt::Four> fours = draws();
   std::vector<bdpt::Vec3> previous;
+  previous.reserve(fours.size());
   for (const bdpt::Four& u : fours) previous.push_back(bdpt::sample_cosine_hemisphere(u[2], u[3]));
   std::uint32_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] const auto _ : state) {
     benchmark::DoNotOptimize(
         bdpt::sample(material, material.reflectance, previous[i], bdpt::TransportMode::Radiance, fours[i].u));
     i = (i + 1) % kDraws;

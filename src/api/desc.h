@@ -16,7 +16,7 @@ inline constexpr uint32_t kVersion1Size = 0;
 #define BDPT_VERSION_1_SIZE(type, size)                 \
   template <>                                           \
   inline constexpr uint32_t kVersion1Size<type> = size; \
-  static_assert(sizeof(type) >= size && sizeof(type) % 8 == 0)
+  static_assert(sizeof(type) >= (size) && sizeof(type) % 8 == 0)
 
 BDPT_VERSION_1_SIZE(bdpt_executor, 32);
 BDPT_VERSION_1_SIZE(bdpt_log, 32);

@@ -76,7 +76,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
 
 }  // namespace
 
-Scene::Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::shared_ptr<MemoryMeter> meter,
+Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, const std::shared_ptr<MemoryMeter>& meter,
              const Progress& progress)
     : desc_(std::move(desc)) {
   int environments = 0;

@@ -37,7 +37,7 @@ class Scene {
   using Progress = std::function<bool(double)>;
 
   // Throws Error(InvalidArgument) for a scene with neither instance nor light, or with two environments.
-  Scene(SceneDesc desc, std::shared_ptr<const RayDevice> device, std::shared_ptr<MemoryMeter> meter,
+  Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, const std::shared_ptr<MemoryMeter>& meter,
         const Progress& progress);
 
   const RayScene& rays() const { return *rays_; }

@@ -57,8 +57,9 @@ Four Engine::draw_film(const Stream& stream, uint64_t pass, uint64_t number) con
     const uint64_t groups = uint64_t(film.desc().groups), point = pass / groups;
     const uint64_t order = hash_values(seed, 3, pass % groups, number, point / cells);
     const uint32_t cell = permute(uint32_t(point % cells), cells, uint32_t(order));
-    u.u[0] = std::min((float(cell % n) + u.u[0]) / float(n), 0x1.fffffep-1f);
-    u.u[1] = std::min((float(cell / n) + u.u[1]) / float(n), 0x1.fffffep-1f);
+    const uint32_t column = cell % n, row = cell / n;
+    u.u[0] = std::min((float(column) + u.u[0]) / float(n), 0x1.fffffep-1f);
+    u.u[1] = std::min((float(row) + u.u[1]) / float(n), 0x1.fffffep-1f);
   }
   return u;
 }

@@ -45,10 +45,10 @@ bool exists(const PathTechniques& path, const TechniqueMask& mask, int i) {
 double reference_weight(const PathTechniques& path, int s, const TransportOptions& options) {
   const int techniques = path.count + 1;
   // p_i relative to p_s, up and down from s by (10.9), before the corrections for single techniques.
-  std::vector<double> p(size_t(techniques), 1.0);
-  for (int i = s; i + 1 < techniques; ++i)
-    p[size_t(i + 1)] = p[size_t(i)] * path.vertices[i].light / path.vertices[i].eye;
-  for (int i = s; i > 0; --i) p[size_t(i - 1)] = p[size_t(i)] * path.vertices[i - 1].eye / path.vertices[i - 1].light;
+  std::vector<double> p(size_t(path.count) + 1, 1.0);
+  const auto own_index = size_t(s);
+  for (size_t i = own_index; i + 1 < p.size(); ++i) p[i + 1] = p[i] * path.vertices[i].light / path.vertices[i].eye;
+  for (size_t i = own_index; i > 0; --i) p[i - 1] = p[i] * path.vertices[i - 1].eye / path.vertices[i - 1].light;
   // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
   if (techniques > 2 && path.count > 2) p[1] *= path.direct;
   for (int i = 0; i < techniques; ++i)

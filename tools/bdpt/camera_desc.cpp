@@ -20,10 +20,10 @@ std::array<float, 4> screen_window(const CameraDescription& camera, float image_
 }
 
 void set_crop(const FilmDescription& film, Diagnostics& diagnostics, const Location& where, bdpt_camera_desc& desc) {
-  const std::uint32_t size[2] = {desc.width, desc.height};
+  const float size[4] = {float(desc.width), float(desc.width), float(desc.height), float(desc.height)};
   std::int64_t bounds[4];  // x0, x1, y0, y1
   for (int i = 0; i < 4; ++i) {
-    bounds[i] = static_cast<std::int64_t>(std::ceil(film.crop_fractions[i] * static_cast<float>(size[i / 2])));
+    bounds[i] = static_cast<std::int64_t>(std::ceil(film.crop_fractions[i] * size[i]));
   }
   if (film.crop_pixels) {
     if (desc.width == film.width && desc.height == film.height) {
