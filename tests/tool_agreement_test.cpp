@@ -36,8 +36,8 @@ bool full() {
 std::vector<Case> path_cases() {
   if (full())
     return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 200, 100, {}},
-            {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 4, 4000, 4000, {}, 0, false},
-            {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 6, 6000, 400, {}},
+            {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 4000, 3000, {}, 0, false},
+            {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 3, 2800, 200, {3}},
             {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 8000, 4000, {}},
             {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 2, 200, 200, {}, 32, false}};
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 40, 20, {}},
@@ -49,9 +49,9 @@ std::vector<Case> path_cases() {
 std::vector<Case> light_cases() {
   if (full())
     return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 200, 100, {}},
-            {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 4, 30000, 4000, {}, 0, false},
+            {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 5500, 3000, {}, 0, false},
             {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 6, 400, 400, {3}},
-            {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 8000, 4000, {}},
+            {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 3000, 900, {}},
             {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 6, 400, 400, {}, 32}};
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 30, 20, {}},
           {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 1000, 60, {0, 1}, 0, false},
