@@ -1,5 +1,7 @@
 #include "transport/engine.h"
 
+#include "transport/plan.h"
+
 namespace bdpt {
 
 namespace {
@@ -14,13 +16,18 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
       options(options_),
       bounds(film_.sample_bounds()),
       seed(seed_),
+      plan(options_.plan ? *options_.plan : *kPlans[0]),
       heuristic(options_.heuristic == Heuristic::Balance ? 1 : options_.beta) {
   // What cannot be: a sensor that light cannot hit, a scene whose lights cannot be hit.
   for (uint32_t& row : options.techniques.rows)
     if (!sensor.is_hittable()) row &= ~1u;
   if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
+  for (int s = 0; s < 32; ++s)
+    for (int t = 0; t < 32; ++t)
+      if (!plan.serves(s, t)) options.techniques.rows[size_t(s)] &= ~(1u << t);
 
-  const bool structured = TechniqueClasses::from_mask(options.techniques, classes);
+  counts = plan.counts(options, 1);
+  const bool structured = TechniqueClasses::from_mask(options.techniques, counts, classes);
   unweighted = options.heuristic == Heuristic::None;
   running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
 
@@ -39,14 +46,20 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   if (scene.lights().empty()) max_eye = max_light = 0;
 }
 
+void Engine::set_counts(double light_vertices) {
+  counts = plan.counts(options, light_vertices);
+  TechniqueClasses::from_mask(options.techniques, counts, classes);
+}
+
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
   const uint64_t groups = uint64_t(film.desc().groups);
   return Stream(hash_values(seed, 1, pass % groups, number, (pass / groups) >> 32), uint32_t(pass / groups));
 }
 
 Stream Engine::light_stream(uint64_t pass, uint64_t number) const {
+  if (pass == kPilotPass) return Stream(hash_values(seed, 4), uint32_t(number));
   const uint64_t groups = uint64_t(film.desc().groups);
-  const uint64_t index = (pass / groups) * samples_per_pass() + number;
+  const uint64_t index = (pass / groups) * light_per_pass() + number;
   return Stream(hash_values(seed, 2, pass % groups, index >> 32), uint32_t(index));
 }
 

@@ -17,8 +17,13 @@ struct TechniqueMask {
   bool operator==(const TechniqueMask&) const = default;
 };
 
+struct Plan;  // plan.h
+
 struct TransportOptions {
-  int max_edges = 0;  // longest path k; 0 = no limit
+  const Plan* plan = nullptr;  // nullptr = one to one
+  int connections = 0;    // light vertices that an eye vertex meets, where the plan lets choose; 0 = its own number
+  int light_samples = 1;  // light subpaths for each eye subpath
+  int max_edges = 0;      // longest path k; 0 = no limit
   TechniqueMask techniques;
   Heuristic heuristic = Heuristic::Power;
   float beta = 2;

@@ -1,0 +1,17 @@
+#include "transport/plan.h"
+
+#include <cstring>
+
+namespace bdpt {
+
+extern const Plan kOneToOne, kTwoWay, kPooled, kCombinatorial;
+
+const Plan* const kPlans[] = {&kOneToOne, &kTwoWay, &kPooled, &kCombinatorial, nullptr};
+
+const Plan* find_plan(const char* name) {
+  for (const Plan* const* p = kPlans; *p; ++p)
+    if (std::strcmp((*p)->name, name) == 0) return *p;
+  return nullptr;
+}
+
+}  // namespace bdpt
