@@ -636,11 +636,26 @@ typedef struct bdpt_render_desc {
   bdpt_light_start light_start;
   uint32_t roulette_start;      /* a subpath's first vertex at which Russian roulette may end it; 0 = 4; at least 1 */
   uint32_t block_size;          /* samples in a block of work, [1,65536]; 0 = chosen. Changes no bit of the result */
+  const char *plan;             /* name of a connection plan, see bdpt_plan_name; NULL = "one-to-one" */
+  uint32_t connections;         /* m: light vertices that each eye vertex meets, [1,1024], for the plans that choose
+                                   them (pooled); 0 = the plan's own number */
+  uint32_t light_samples;       /* light subpaths for each eye subpath, [1,1024]; 0 = 1 */
 } bdpt_render_desc;
 
+/* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.
+ * one-to-one     an eye subpath and its own light subpath, every prefix with every suffix: Veach (1997), 10.1
+ * two-way        none of them: s < 2 or t < 2, and nothing is stored of a path: Brown (2011)
+ * pooled         every eye vertex and some of all light vertices of the pass: light vertex cache
+ * combinatorial  every pair within pools of 64 samples: Pajot et al. (2011); slow, to measure others by
+ * Returns: the name of plan number `index`, and a line about it; NULL past the last. Threads: any thread.
+ * Callbacks: allowed. Ownership: the library's, for ever. */
+BDPT_API const char *bdpt_plan_name(uint32_t index);
+BDPT_API const char *bdpt_plan_summary(uint32_t index);
+
 /* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options
- * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique the sensor cannot serve (t = 0 with a pinhole) is dropped,
- * the weights know of it, and the log says so.
+ * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique that the sensor cannot serve (t = 0 with a pinhole) or
+ * the plan does not do is dropped, the weights know of it, and the log says so. Pooled plans trace some light subpaths
+ * at once, which count in the statistics, and book their pool's memory.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MISMATCH, _IN_USE (the film is in another render), _MEMORY_LIMIT,
  * _OUT_OF_MEMORY. Threads: any thread. Callbacks: not for a film in use. Ownership: the caller destroys the render; it
  * keeps scene, sensor and film alive. */

@@ -1,6 +1,7 @@
 // The same seed and passes give the same film, bit for bit, however the work was done.
 #include "rendering.h"
 #include "temp_folder.h"
+#include "transport/plan.h"
 
 #include <fstream>
 #include <iterator>
@@ -13,7 +14,15 @@ using namespace rendering;
 constexpr int kWidth = 29, kHeight = 23;
 constexpr uint64_t kPasses = 7;
 
-class RenderDeterminism : public ::testing::TestWithParam<SamplerType> {
+struct Kind {
+  std::string name;
+  SamplerType sampler;
+  const char* plan;
+  int light_samples = 1;
+};
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+class RenderDeterminism : public ::testing::TestWithParam<Kind> {
  protected:
   struct Work {
     uint64_t first = 0, passes = kPasses;
@@ -23,7 +32,9 @@ class RenderDeterminism : public ::testing::TestWithParam<SamplerType> {
 
   RenderDesc desc(const Work& work) const {
     RenderDesc d;
-    d.transport.sampler = GetParam();
+    d.transport.sampler = GetParam().sampler;
+    d.transport.plan = find_plan(GetParam().plan);
+    d.transport.light_samples = GetParam().light_samples;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -178,8 +189,13 @@ TEST_P(RenderDeterminism, AnotherSeedIsAnotherFilm) {
   EXPECT_NE(mean_of(*film), mean_of(*filled({})));
 }
 
-INSTANTIATE_TEST_SUITE_P(Samplers, RenderDeterminism,
-                         ::testing::Values(SamplerType::Sobol, SamplerType::Independent, SamplerType::Stratified));
+INSTANTIATE_TEST_SUITE_P(All, RenderDeterminism,
+                         ::testing::Values(Kind{"Sobol", SamplerType::Sobol, "one-to-one"},
+                                           Kind{"independent", SamplerType::Independent, "one-to-one", 2},
+                                           Kind{"stratified", SamplerType::Stratified, "one-to-one"},
+                                           Kind{"two-way", SamplerType::Sobol, "two-way"},
+                                           Kind{"pooled", SamplerType::Sobol, "pooled", 2},
+                                           Kind{"combinatorial", SamplerType::Independent, "combinatorial"}));
 
 }  // namespace
 }  // namespace bdpt

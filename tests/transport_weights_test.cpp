@@ -245,6 +245,7 @@ TEST(TransportWeights, OfRandomDensitiesSumToOne) {
     PathTechniques path{vertices.data(), k + 1, std::exp(4.0 * uniform() - 2)};
     path.t0_exists = uniform() < 0.5f;
     path.corner_exists = uniform() < 0.8f;
+    path.counts = {.light = 1 + 7 * uniform(), .direct = 2, .connections = 0.3f + 20 * uniform()};
     TransportOptions options;
     for (uint32_t& row : options.techniques.rows) row = ~(uniform() < 0.3f ? 1u << int(uniform() * 10) : 0);
     options.techniques.rows[0] = ~0u;  // s = 0 covers every path
@@ -267,6 +268,7 @@ TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
         for (size_t i = 0; i < 4; ++i) {
           TransportOptions options = with(options_for(mask, kMaxEdges), kHeuristics[i]);
           options.uniform_light_start = uniform_light_start;
+          options.light_samples = i == 1 ? 3 : 1;  // techniques that differ in their number of samples
           OneSample fast(*scene, *camera, options), slow(*scene, *camera, options);
           ASSERT_TRUE(fast.engine().running_sums);
           slow.engine().running_sums = false;

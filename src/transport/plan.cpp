@@ -14,4 +14,10 @@ const Plan* find_plan(const char* name) {
   return nullptr;
 }
 
+const Plan* plan_at(size_t index) {
+  for (const Plan* const* p = kPlans; *p; ++p, --index)
+    if (index == 0) return *p;
+  return nullptr;
+}
+
 }  // namespace bdpt

@@ -25,6 +25,7 @@ struct Plan {
 // Ends with nullptr.
 extern const Plan* const kPlans[];
 const Plan* find_plan(const char* name);  // nullptr if there is none
+const Plan* plan_at(size_t index);        // nullptr past the last
 
 // For plans that do all.
 inline bool serves_all(int, int) { return true; }

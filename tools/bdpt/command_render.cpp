@@ -132,6 +132,9 @@ class RenderCommand {
     desc.beta = options_.beta;
     desc.cutoff = options_.cutoff;
     desc.sampler = options_.sampler;
+    desc.plan = plan_name(options_);
+    desc.connections = options_.connections;
+    desc.light_samples = options_.light_samples;
     return desc;
   }
 
