@@ -1,6 +1,9 @@
 // Every connection plan measures the same.
 #include "rendering.h"
 #include "transport/plan.h"
+#include "transport/subpath_order.h"
+
+#include <array>
 
 namespace bdpt {
 namespace {
@@ -15,15 +18,29 @@ struct Way {
   std::string plan;
   uint64_t passes;
   int connections = 0, light_samples = 1;
+  Order order = Order::Metric;
+  Partners partners = Partners::Sobol;
   std::string name() const {
-    return plan + ", m = " + std::to_string(connections) + ", n = " + std::to_string(light_samples);
+    return plan + ", m = " + std::to_string(connections) + ", n = " + std::to_string(light_samples) + ", order " +
+           std::to_string(int(order)) + ", partners " + std::to_string(int(partners));
   }
 };
 
 // More and fewer samples of each kind than Veach's one.
-const std::vector<Way> kWays = {{"one-to-one", 4},    {"one-to-one", 2, 0, 3}, {"two-way", 6},
-                                {"two-way", 3, 0, 4}, {"pooled", 4},           {"pooled", 3, 5},
-                                {"pooled", 3, 1, 2},  {"combinatorial", 1},    {"combinatorial", 1, 0, 2}};
+const std::vector<Way> kWays = {
+    {"one-to-one", 4},
+    {"one-to-one", 4, 0, 3},
+    {"two-way", 8},
+    {"two-way", 4, 0, 4},
+    {"pooled", 4},
+    {"pooled", 4, 5},
+    {"pooled", 4, 1, 2},
+    {"combinatorial", 1},
+    {"combinatorial", 1, 0, 2},
+    {"matrix", 4},
+    {"matrix", 4, 3, 1, Order::Hilbert, Partners::LatinHypercube},
+    {"matrix", 4, 1, 2, Order::None},
+};
 
 TransportOptions options_of(const Way& way, int max_edges) {
   TransportOptions o = options_for({}, max_edges);
@@ -31,6 +48,9 @@ TransportOptions options_of(const Way& way, int max_edges) {
   EXPECT_NE(o.plan, nullptr) << way.plan;
   o.connections = way.connections;
   o.light_samples = way.light_samples;
+  o.order = way.order;
+  o.partners = way.partners;
+  o.pool_passes = 4;
   return o;
 }
 
@@ -81,13 +101,61 @@ TEST(TransportPlan, EachTechniqueAloneIsThatOfVeachsPlan) {
   }
 }
 
+TEST(SubpathOrder, HilbertCurveStepsFromCellToCell) {
+  // Every cell of a corner of the grid once, and each next to the one before.
+  constexpr uint32_t side = 16;
+  std::vector<std::pair<uint64_t, std::array<int, 3>>> cells;
+  for (uint32_t x = 0; x < side; ++x)
+    for (uint32_t y = 0; y < side; ++y)
+      for (uint32_t z = 0; z < side; ++z) cells.push_back({hilbert_index(x, y, z), {int(x), int(y), int(z)}});
+  std::sort(cells.begin(), cells.end());
+  for (size_t i = 0; i < cells.size(); ++i) {
+    EXPECT_EQ(cells[i].first, i);
+    if (i == 0) continue;
+    int steps = 0;
+    for (size_t k = 0; k < 3; ++k) steps += std::abs(cells[i].second[k] - cells[i - 1].second[k]);
+    EXPECT_EQ(steps, 1) << i;
+  }
+}
+
+TEST(SubpathOrder, IsByTheMetricAndHoldsEveryVertexThatCanBeJoined) {
+  const ScenePointer scene = scenes::room({.contents = Contents::Specular}).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view(), 16, 16);
+  Film film(film_desc(16, 16), nullptr);
+  const Engine engine(*scene, *camera, film, options_of({"one-to-one", 1}, 6), 1);
+  Block block(engine);
+  block.run(0, {0, 0, 16, 16});
+  size_t joinable = 0, found = 0;
+  for (const Vertex& v : block.light().vertices) joinable += !v.specular;
+  OrderedVertices order;
+  order_subpaths(block.light(), scene->info(), Order::Metric, order);
+  for (size_t s = 0; s < order.size(); ++s) {
+    double before = 0;
+    for (const OrderedVertex& o : order[s]) {
+      double metric = 0;
+      for (uint32_t i = o.vertex; i != kNoVertex; i = block.light().vertices[i].previous_index) {
+        const Vertex& v = block.light().vertices[i];
+        const Vec3 from = v.previous_index == kNoVertex ? block.light().starts[o.sample].origin
+                                                        : block.light().vertices[v.previous_index].p;
+        metric += double(length_squared(v.p - from));
+      }
+      EXPECT_EQ(block.light().vertices[o.vertex].count, s);
+      EXPECT_GE(metric, before * (1 - 1e-12));
+      before = metric;
+    }
+    found += order[s].size();
+  }
+  EXPECT_GT(joinable, 100u);
+  EXPECT_EQ(found, joinable);
+}
+
 TEST(TransportPlan, NamesAreUniqueAndFound) {
   size_t count = 0;
   for (; plan_at(count); ++count) {
     EXPECT_EQ(find_plan(plan_at(count)->name), plan_at(count));
     EXPECT_STRNE(plan_at(count)->summary, "");
   }
-  EXPECT_EQ(count, 4u);
+  EXPECT_EQ(count, 5u);
   EXPECT_EQ(find_plan("no such plan"), nullptr);
   EXPECT_STREQ(plan_at(0)->name, "one-to-one");
 }

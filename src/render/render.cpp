@@ -51,6 +51,7 @@ struct Render::Call {
   std::atomic<uint64_t> samples{0};
   std::atomic<uint32_t> blocks_done{0};
   uint32_t blocks = 1;
+  uint64_t pool_passes = 1;
   double last_progress = now();
   double fraction = 0;
   double relative_error = -1;
@@ -64,7 +65,7 @@ struct Render::Call {
   void report() {
     if (!desc.on_progress || callback_stopped) return;
     double f = 0;
-    const double done = double(passes) + double(blocks_done) / blocks;
+    const double done = double(passes) + double(pool_passes) * double(blocks_done) / blocks;
     if (desc.passes > 0) f = std::max(f, done / double(desc.passes));
     if (desc.seconds > 0) f = std::max(f, seconds() / desc.seconds);
     if (desc.noise > 0 && relative_error > 0) f = std::max(f, std::pow(desc.noise / relative_error, 2));
@@ -98,13 +99,16 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
   if (!film_->acquire()) fail(ErrorCode::InUse, "film: another render fills it; destroy that first");
   try {
     engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);
-    const uint64_t options = hash_values(sensor_->hash(), film_->desc().hash(), desc.transport.hash());
-    film_->begin({desc.seed, scene_->info().hash, options, engine_->samples_per_pass()});
+    const uint64_t n = engine_->pool_passes;
+    if (desc.first_pass % n != 0)
+      fail(ErrorCode::InvalidArgument, "first_pass: is ", desc.first_pass, ", but the plan ", engine_->plan.name,
+           " takes ", n, " passes at once: give a multiple of ", n);
+    film_->begin(engine_->recipe());
     const uint32_t own = engine_->plan.block_size, wanted = desc.block_size ? desc.block_size : kDefaultBlock;
     blocks_ = make_blocks(engine_->bounds, own ? own : wanted);
     blocks_done_.assign(blocks_.size(), 0);
     const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
-    booking_ = Booking(meter, executor_->worker_count() * block_samples * kBytesPerSample, "the render's blocks");
+    booking_ = Booking(meter, executor_->worker_count() * block_samples * n * kBytesPerSample, "the render's blocks");
     if (engine_->plan.pooled) make_pool(meter);
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {
@@ -203,6 +207,7 @@ bool Render::fill_pool(Call& call) {
 // True when the pass in hand is whole.
 bool Render::run_pass(Call& call) {
   call.blocks = uint32_t(blocks_.size());
+  call.pool_passes = engine_->pool_passes;
   uint32_t done = 0;
   for (uint8_t b : blocks_done_) done += b;
   call.blocks_done = done;
@@ -227,14 +232,18 @@ bool Render::run_pass(Call& call) {
   film_->commit_pass(pass_);
   std::fill(blocks_done_.begin(), blocks_done_.end(), 0);
   pool_filled_ = false;
-  pass_ = next_free_pass(*film_, pass_ + 1);
-  ++passes_;
-  ++call.passes;
+  const uint64_t n = engine_->pool_passes;
+  pass_ = next_free_pass(*film_, pass_ + n);
+  passes_ += n;
+  call.passes += n;
   call.blocks_done = 0;
   return true;
 }
 
 AdvanceReport Render::advance(const AdvanceDesc& desc) {
+  if (const uint64_t n = engine_->pool_passes; desc.passes % n != 0)
+    fail(ErrorCode::InvalidArgument, "passes: is ", desc.passes, ", but the plan ", engine_->plan.name, " takes ", n,
+         " passes at once: give a multiple of ", n);
   Call call(desc);
   engine_->recorder = recorder_;
   AdvanceReport report;

@@ -67,16 +67,19 @@ void Block::start(size_t eyes, size_t lights) {
 void Block::start_eyes(uint64_t pass, const BlockRect& rect) {
   StageTimer timer(stats_.start);
   const SampleBounds& bounds = engine_.bounds;
-  const uint32_t samples = uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
+  const uint32_t passes = uint32_t(engine_.pool_passes);
+  const uint32_t samples = passes * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
+  seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
   const uint32_t lights = engine_.max_light > 0 && !pool_ ? uint32_t(engine_.options.light_samples) : 0;
   start(samples, size_t(samples) * lights);
   uint32_t sample = 0;
-  for (int y = rect.y0; y < rect.y1; ++y)
-    for (int x = rect.x0; x < rect.x1; ++x, ++sample) {
-      const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
-      start_eye(pass, number, float(x), float(y), sample);
-      for (uint32_t l = 0; l < lights; ++l) start_light(pass, number * lights + l, sample * lights + l);
-    }
+  for (uint64_t p = pass; p < pass + passes; ++p)
+    for (int y = rect.y0; y < rect.y1; ++y)
+      for (int x = rect.x0; x < rect.x1; ++x, ++sample) {
+        const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
+        start_eye(p, number, float(x), float(y), sample);
+        for (uint32_t l = 0; l < lights; ++l) start_light(p, number * lights + l, sample * lights + l);
+      }
   stats_.samples += samples;
 }
 

@@ -65,6 +65,8 @@ class Block {
   const EyeSubpaths& eye() const { return eye_; }
   const LightSubpaths& light() const { return light_; }
   const LightPool& light_pool() const { return *pool_; }
+  // For choices of a plan that belong to no subpath.
+  uint64_t seed() const { return seed_; }
   Four draw_eye(uint32_t sample, uint32_t vertex, Purpose purpose) const {
     return engine_.draw(eye_.streams[sample], vertex, purpose);
   }
@@ -143,6 +145,7 @@ class Block {
   LightSubpaths light_;
   const LightPool* pool_ = nullptr;
   bool measures_ = true;  // a pilot does not
+  uint64_t seed_ = 0;
   std::vector<Rgb> eye_sums_;
   std::vector<Walker> walkers_, next_walkers_;
   std::vector<Ray> rays_, next_rays_;

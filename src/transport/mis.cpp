@@ -16,7 +16,9 @@ uint64_t TransportOptions::hash() const {
   const float numbers[] = {heuristic == Heuristic::Power ? beta : 0, heuristic == Heuristic::Cutoff ? cutoff : 0};
   h = hash_bytes(numbers, sizeof(numbers), h);
   if (plan && plan != kPlans[0]) h = hash_bytes(plan->name, std::strlen(plan->name), h);
-  if (connections != 0 || light_samples != 1) h = hash_values(h, connections, light_samples);
+  if (connections != 0 || light_samples != 1 || pool_passes != 0)
+    h = hash_values(h, connections, light_samples, pool_passes);
+  if (order != Order::Metric || partners != Partners::Sobol) h = hash_values(h, int(order), int(partners));
   return h;
 }
 

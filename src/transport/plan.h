@@ -19,7 +19,8 @@ struct Plan {
 
   bool pooled = false;          // eye vertices meet the light vertices of the whole pass: needs a LightPool
   int default_connections = 0;  // light vertices met by an eye vertex, where `connections` chooses them; else 0
-  uint32_t block_size = 0;      // samples; 0 = the plan's result does not depend on it
+  uint32_t block_size = 0;      // pixels; 0 = the plan's result does not depend on it
+  uint64_t passes = 1;          // passes that a block takes at once, unless pool_passes says otherwise
 };
 
 // Ends with nullptr.
