@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kDefaultBeta = 2, kMaxBeta = 64;
 constexpr uint32_t kDefaultStrata = 4, kMaxStrata = 256, kDefaultRouletteStart = 4, kMaxBlock = 65536;
-constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024;
+constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024, kMaxPoolPasses = 64;
 
 // More than any path has, so nothing is lost.
 int to_int(uint32_t v) { return int(std::min(v, uint32_t(std::numeric_limits<int>::max()))); }
@@ -55,6 +55,16 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
     subject.refuse("connections", "is ", desc.connections, ", but the plan ", plan.name,
                    " does not choose among light vertices: give 0, or another plan");
   options.connections = int(desc.connections);
+  subject.check_range("pool_passes", desc.pool_passes, 0, kMaxPoolPasses);
+  if (desc.pool_passes != 0 && plan.passes == 1)
+    subject.refuse("pool_passes", "is ", desc.pool_passes, ", but the plan ", plan.name,
+                   " has no pools of several passes: give 0, or another plan");
+  options.pool_passes = int(desc.pool_passes);
+  subject.check_enum("order", desc.order, BDPT_ORDER_NONE);
+  options.order = static_cast<Order>(desc.order);
+  subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
+  options.partners = static_cast<Partners>(desc.partners);
+  if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
   options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);

@@ -135,6 +135,9 @@ class RenderCommand {
     desc.plan = plan_name(options_);
     desc.connections = options_.connections;
     desc.light_samples = options_.light_samples;
+    desc.pool_passes = options_.pool_passes;
+    desc.order = options_.order;
+    desc.partners = options_.partners;
     return desc;
   }
 

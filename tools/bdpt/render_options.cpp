@@ -15,6 +15,10 @@ constexpr std::uint64_t kDefaultSamples = 64;
 const std::map<std::string, bdpt_heuristic> kHeuristics = {
     {"power", BDPT_HEURISTIC_POWER},     {"balance", BDPT_HEURISTIC_BALANCE}, {"cutoff", BDPT_HEURISTIC_CUTOFF},
     {"maximum", BDPT_HEURISTIC_MAXIMUM}, {"average", BDPT_HEURISTIC_AVERAGE}, {"none", BDPT_HEURISTIC_NONE}};
+const std::map<std::string, bdpt_order> kOrders = {
+    {"metric", BDPT_ORDER_METRIC}, {"hilbert", BDPT_ORDER_HILBERT}, {"none", BDPT_ORDER_NONE}};
+const std::map<std::string, bdpt_partners> kPartners = {{"sobol", BDPT_PARTNERS_SOBOL},
+                                                        {"latin-hypercube", BDPT_PARTNERS_LATIN_HYPERCUBE}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -65,13 +69,20 @@ void add_limit_options(CLI::App& command, RenderOptions& options) {
 void add_method_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--max-edges", options.max_edges, "Longest path, k edges; 0 = no limit (default: maxdepth + 1)");
   command
-      .add_option("--integrator", options.integrator,
-                  "Default bdpt, whatever the file names. path: path tracing. light: light tracing. bdpt: " +
-                      plan_list())
+      .add_option(
+          "--integrator", options.integrator,
+          "Default bdpt, whatever the file names. path: path tracing. light: light tracing. bdpt: " + plan_list())
       ->check(CLI::IsMember(integrators()))
       ->type_name("NAME");
-  command.add_option("--connections", options.connections, "Light vertices that each eye vertex meets (pooled)")
+  command
+      .add_option("--connections", options.connections, "Light vertices that each eye vertex meets (pooled, matrix)")
       ->check(positive());
+  command.add_option("--pool-passes", options.pool_passes, "Passes that matrix takes at once (default 8)")
+      ->check(positive());
+  add_choice(command, "--order", options.order, kOrders,
+             "Order of subpaths in matrix: metric (default), hilbert, none");
+  add_choice(command, "--partners", options.partners, kPartners,
+             "How matrix chooses partners: sobol (default) or latin-hypercube");
   command.add_option("--light-samples", options.light_samples, "Light subpaths for each eye subpath (default 1)")
       ->check(positive());
   command.add_option("--techniques", options.techniques, kTechniqueMaskHelp)
