@@ -29,7 +29,7 @@ struct Contestant {
   RayLog rays;
   bdpt::TransportStats stats;  // of all timed passes
   double stats_seconds = 0;
-  std::vector<double> render, replay, scaling, replay_scaling, variance_seconds;
+  std::vector<double> render, sample, replay, scaling, replay_scaling, variance_seconds;
   ImageVariance variance;
 
   explicit Contestant(Integrator i) : integrator(std::move(i)) {}
@@ -103,6 +103,7 @@ class SceneBenchmark {
         const Timing one = render(*c, one_);
         const double replay_one = c->rays.replay(*scene_.scene, *one_);
         c->render.push_back(all.seconds);
+        c->sample.push_back(all.seconds / double(all.stats.samples));
         c->replay.push_back(replay_all);
         c->scaling.push_back(one.seconds / all.seconds);
         c->replay_scaling.push_back(replay_one / replay_all);
@@ -149,7 +150,7 @@ class SceneBenchmark {
     result.stages = shares(c);
     result.replayed_rays = c.rays.size();
     result.replay_ratio = median_ratio(c.render, c.replay);
-    result.cost = median_ratio(c.render, contestants_.front()->render);
+    result.cost = median_ratio(c.sample, contestants_.front()->sample);
     result.image_mean = c.variance.image_mean();
     result.relative_variance = c.variance.relative();
     result.variance_seconds = median(c.variance_seconds);

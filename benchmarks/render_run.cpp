@@ -39,7 +39,8 @@ RenderRun::RenderRun(const LoadedScene& scene, const Integrator& integrator, std
 Timing RenderRun::advance(std::uint64_t passes, bdpt::RayRecorder* recorder) {
   const bdpt::TransportStats before = render_.stats();
   bdpt::AdvanceDesc desc;
-  desc.passes = passes;
+  const std::uint64_t pool = render_.engine().pool_passes;
+  desc.passes = (passes + pool - 1) / pool * pool;
   render_.record(recorder);
   const bdpt::AdvanceReport report = render_.advance(desc);
   render_.record(nullptr);

@@ -621,6 +621,15 @@ typedef int32_t bdpt_light_start;
 #define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
 #define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
 
+typedef int32_t bdpt_order;
+#define BDPT_ORDER_METRIC 0  /* by the sum of the squares of a subpath's edges: Chaitanya et al. (2018), 4.2 */
+#define BDPT_ORDER_HILBERT 1 /* by the place of the last vertex on a Hilbert curve */
+#define BDPT_ORDER_NONE 2    /* as they were sampled */
+
+typedef int32_t bdpt_partners;
+#define BDPT_PARTNERS_SOBOL 0           /* a (0,2) sequence over the ordered matrix: neighbours differ */
+#define BDPT_PARTNERS_LATIN_HYPERCUBE 1 /* Chaitanya et al. */
+
 typedef struct bdpt_render_desc {
   uint32_t struct_size;
   uint32_t max_edges;           /* longest path, k edges; 0 = no limit */
@@ -636,11 +645,33 @@ typedef struct bdpt_render_desc {
   bdpt_light_start light_start;
   uint32_t roulette_start;      /* a subpath's first vertex at which Russian roulette may end it; 0 = 4; at least 1 */
   uint32_t block_size;          /* samples in a block of work, [1,65536]; 0 = chosen. Changes no bit of the result */
+  const char *plan;             /* name of a connection plan, see bdpt_plan_name; NULL = "one-to-one" */
+  uint32_t connections;         /* m: light vertices that each eye vertex meets (pooled; matrix: of each length),
+                                   [1,1024]; 0 = the plan's own number, and all that other plans take */
+  uint32_t light_samples;       /* light subpaths for each eye subpath, [1,1024]; 0 = 1 */
+  uint32_t pool_passes;         /* matrix: passes rendered at once, [1,64]; 0 = 8. first_pass and the number of passes
+                                   must be multiples of it */
+  bdpt_order order;             /* matrix: how subpaths are put in order */
+  bdpt_partners partners;       /* matrix: how light subpaths are chosen in that order */
+  uint32_t reserved;            /* 0 */
 } bdpt_render_desc;
 
+/* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.
+ * one-to-one     an eye subpath and its own light subpath, every prefix with every suffix: Veach (1997), 10.1
+ * two-way        none of them: s < 2 or t < 2, and nothing is stored of a path: Brown (2011)
+ * pooled         every eye vertex and some of all light vertices of the pass: light vertex cache
+ * matrix         every eye vertex and one light vertex of each length, stratified over pools of pool_passes passes in
+ *                squares of 256 pixels: Chaitanya et al. (2018)
+ * combinatorial  every pair within pools of 64 samples: Pajot et al. (2011); slow, to measure others by
+ * Returns: the name of plan number `index`, and a line about it; NULL past the last. Threads: any thread.
+ * Callbacks: allowed. Ownership: the library's, for ever. */
+BDPT_API const char *bdpt_plan_name(uint32_t index);
+BDPT_API const char *bdpt_plan_summary(uint32_t index);
+
 /* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options
- * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique the sensor cannot serve (t = 0 with a pinhole) is dropped,
- * the weights know of it, and the log says so.
+ * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique that the sensor cannot serve (t = 0 with a pinhole) or
+ * the plan does not do is dropped, the weights know of it, and the log says so. Pooled plans trace some light subpaths
+ * at once, which count in the statistics, and book their pool's memory.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MISMATCH, _IN_USE (the film is in another render), _MEMORY_LIMIT,
  * _OUT_OF_MEMORY. Threads: any thread. Callbacks: not for a film in use. Ownership: the caller destroys the render; it
  * keeps scene, sensor and film alive. */

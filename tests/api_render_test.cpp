@@ -2,6 +2,7 @@
 #include "api_scene.h"
 
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 
@@ -30,6 +31,12 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
     EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_render(change)) << bdpt_last_error();
   };
   EXPECT_OK(try_render([](auto& d) { d.max_edges = 5, d.roulette_start = 1, d.block_size = 1; }));
+  for (uint32_t i = 0; bdpt_plan_name(i); ++i) {
+    EXPECT_OK(try_render([&](auto& d) { d.plan = bdpt_plan_name(i), d.light_samples = 2; })) << bdpt_plan_name(i);
+    EXPECT_NE(nullptr, bdpt_plan_summary(i));
+  }
+  EXPECT_EQ(nullptr, bdpt_plan_name(~0u));
+  EXPECT_EQ(nullptr, bdpt_plan_summary(~0u));
   EXPECT_OK(try_render([](auto& d) { d.max_edges = ~0u, d.roulette_start = ~0u, d.block_size = 65536; }));
   refused([](auto& d) { d.heuristic = 6; });
   refused([](auto& d) { d.heuristic = -1; });
@@ -42,6 +49,17 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.strata = 257; });
   refused([](auto& d) { d.light_start = 2; });
   refused([](auto& d) { d.block_size = 65537; });
+  refused([](auto& d) { d.plan = "no such plan"; });
+  refused([](auto& d) { d.connections = 2; });  // one-to-one does not choose
+  refused([](auto& d) { d.plan = "two-way", d.connections = 2; });
+  refused([](auto& d) { d.plan = "pooled", d.connections = 1025; });
+  refused([](auto& d) { d.light_samples = 1025; });
+  refused([](auto& d) { d.pool_passes = 8; });
+  refused([](auto& d) { d.plan = "matrix", d.pool_passes = 65; });
+  refused([](auto& d) { d.plan = "matrix", d.first_pass = 4; });  // cuts through a pool
+  refused([](auto& d) { d.order = 3; });
+  refused([](auto& d) { d.partners = 2; });
+  refused([](auto& d) { d.reserved = 1; });
   // Nothing that was refused holds the film.
   EXPECT_NE(nullptr, world_.render());
 }
@@ -121,6 +139,40 @@ TEST_F(ApiRender, EachLimitStopsAndTheReportSaysWhich) {
   EXPECT_GT(stats.eye_rays, 0u);
   EXPECT_GT(stats.shadow_rays, 0u);
   EXPECT_GT(stats.seconds, 0);
+}
+
+TEST_F(ApiRender, APlanOfPoolsTakesItsPassesAtOnce) {
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.plan = "matrix", desc.pool_passes = 4, desc.first_pass = 8;
+  const Render render = world_.render(&desc);
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, advance(render.get(), 6));
+  EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "multiple of 4")) << bdpt_last_error();
+  EXPECT_EQ(0u, info_of(world_.film.get()).passes);
+  EXPECT_OK(advance(render.get(), 8));
+  EXPECT_EQ(8u, info_of(world_.film.get()).passes);
+  bdpt_render_stats stats = make<bdpt_render_stats>();
+  ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
+  EXPECT_EQ(8u, stats.passes);
+  EXPECT_EQ(8u * 24 * 16, stats.samples);
+}
+
+// A pool over the context's limit is refused before any work.
+TEST(ApiRenderPool, OverTheMemoryLimitIsRefused) {
+  const World free;
+  const uint64_t used = memory_in_use(free.context.get());
+  bdpt_context_desc limited = make<bdpt_context_desc>();
+  limited.threads = 1;
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.plan = "pooled", desc.light_samples = 64, desc.block_size = 1;
+  limited.memory_limit = used + 2000000;
+  const World world(&limited);
+  bdpt_render* render = nullptr;
+  EXPECT_EQ(BDPT_ERROR_MEMORY_LIMIT,
+            bdpt_render_create(world.scene.get(), world.sensor.get(), world.film.get(), &desc, &render));
+  EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "pool of light subpaths")) << bdpt_last_error();
+  desc.light_samples = 1;
+  EXPECT_OK(bdpt_render_create(world.scene.get(), world.sensor.get(), world.film.get(), &desc, &render));
+  bdpt_render_destroy(render);
 }
 
 TEST_F(ApiRender, ThePictureIsNotBlack) {

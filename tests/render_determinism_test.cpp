@@ -1,6 +1,7 @@
 // The same seed and passes give the same film, bit for bit, however the work was done.
 #include "rendering.h"
 #include "temp_folder.h"
+#include "transport/plan.h"
 
 #include <fstream>
 #include <iterator>
@@ -13,7 +14,16 @@ using namespace rendering;
 constexpr int kWidth = 29, kHeight = 23;
 constexpr uint64_t kPasses = 7;
 
-class RenderDeterminism : public ::testing::TestWithParam<SamplerType> {
+struct Kind {
+  std::string name;
+  SamplerType sampler;
+  const char* plan;
+  int light_samples = 1;
+  uint64_t pool_passes = 1;  // all numbers of passes below are times this
+};
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+class RenderDeterminism : public ::testing::TestWithParam<Kind> {
  protected:
   struct Work {
     uint64_t first = 0, passes = kPasses;
@@ -23,14 +33,18 @@ class RenderDeterminism : public ::testing::TestWithParam<SamplerType> {
 
   RenderDesc desc(const Work& work) const {
     RenderDesc d;
-    d.transport.sampler = GetParam();
+    d.transport.sampler = GetParam().sampler;
+    d.transport.plan = find_plan(GetParam().plan);
+    d.transport.light_samples = GetParam().light_samples;
+    d.transport.pool_passes = int(GetParam().pool_passes);
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
-    d.first_pass = work.first;
+    d.first_pass = work.first * unit();
     d.block_size = work.block_size;
     return d;
   }
+  static uint64_t unit() { return GetParam().pool_passes; }
   std::shared_ptr<Film> new_film() const {
     FilmDesc d = film_desc(kWidth, kHeight, 3);
     d.filter.type = FilterType::Mitchell;
@@ -42,8 +56,8 @@ class RenderDeterminism : public ::testing::TestWithParam<SamplerType> {
     auto film = new_film();
     Render render(scene_, camera_, film, work.executor, nullptr, desc(work));
     AdvanceDesc advance;
-    advance.passes = work.passes;
-    EXPECT_EQ(render.advance(advance).passes, work.passes);
+    advance.passes = work.passes * unit();
+    EXPECT_EQ(render.advance(advance).passes, work.passes * unit());
     return film;
   }
   std::string bytes(const Film& film) const {
@@ -114,8 +128,8 @@ TEST_P(RenderDeterminism, AGapIsFilledLater) {
   {
     Render render(scene_, camera_, film, threads(2), nullptr, desc({}));
     AdvanceDesc advance;
-    advance.passes = 2;
-    EXPECT_EQ(render.advance(advance).next_pass, kPasses);
+    advance.passes = 2 * unit();
+    EXPECT_EQ(render.advance(advance).next_pass, kPasses * unit());
   }
   EXPECT_TRUE(bytes(*film) == expected());
 }
@@ -132,8 +146,8 @@ TEST_P(RenderDeterminism, CancelledAndResumed) {
   AdvanceDesc advance;
   advance.cancel = &cancel;
   int stops = 0;
-  while (film->passes() < kPasses) {
-    advance.passes = kPasses - film->passes();
+  while (film->passes() < kPasses * unit()) {
+    advance.passes = kPasses * unit() - film->passes();
     cancel = false;
     if (render.advance(advance).reason == StopReason::Cancelled) ++stops;
     ASSERT_LT(stops, 1000);
@@ -158,10 +172,10 @@ TEST_P(RenderDeterminism, CancelledAndLeft) {
   }
   const uint64_t done = film->passes();
   ASSERT_GT(done, 0u);
-  ASSERT_LT(done, kPasses);
+  ASSERT_LT(done, kPasses * unit());
   Render render(scene_, camera_, film, threads(2), nullptr, desc({}));
   AdvanceDesc advance;
-  advance.passes = kPasses - done;
+  advance.passes = kPasses * unit() - done;
   render.advance(advance);
   EXPECT_TRUE(bytes(*film) == expected());
 }
@@ -172,14 +186,20 @@ TEST_P(RenderDeterminism, AnotherSeedIsAnotherFilm) {
   other.seed = 100;
   Render render(scene_, camera_, film, threads(2), nullptr, other);
   AdvanceDesc advance;
-  advance.passes = kPasses;
+  advance.passes = kPasses * unit();
   render.advance(advance);
   EXPECT_FALSE(bytes(*film) == expected());
   EXPECT_NE(mean_of(*film), mean_of(*filled({})));
 }
 
-INSTANTIATE_TEST_SUITE_P(Samplers, RenderDeterminism,
-                         ::testing::Values(SamplerType::Sobol, SamplerType::Independent, SamplerType::Stratified));
+INSTANTIATE_TEST_SUITE_P(All, RenderDeterminism,
+                         ::testing::Values(Kind{"Sobol", SamplerType::Sobol, "one-to-one"},
+                                           Kind{"independent", SamplerType::Independent, "one-to-one", 2},
+                                           Kind{"stratified", SamplerType::Stratified, "one-to-one"},
+                                           Kind{"two-way", SamplerType::Sobol, "two-way"},
+                                           Kind{"pooled", SamplerType::Sobol, "pooled", 2},
+                                           Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+                                           Kind{"combinatorial", SamplerType::Independent, "combinatorial"}));
 
 }  // namespace
 }  // namespace bdpt

@@ -85,6 +85,18 @@ for name in s0t2 s1t1 s0t3 s1t2 s2t1; do
 done
 [ -s pyramid/pyramid.png ] || fail "the pyramid has no sheet"
 
+# Every integrator by name; what does not fit is told, and what fits is another picture of the same thing.
+for name in path light two-way pooled matrix combinatorial; do
+  expect 0 '' render box.pbrt -o $name.exr --spp 16 --integrator $name --light-samples 2
+  expect 0 '' compare $name.exr full.exr
+done
+expect 0 '' render box.pbrt -o m.exr --spp 8 --integrator matrix --connections 2 --pool-passes 4 --order hilbert \
+  --partners latin-hypercube
+expect 2 '^bdpt: .*--integrator' render box.pbrt -o a.exr --integrator guess
+expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --integrator pooled --connections 0
+expect 3 '^bdpt: .*connections.*does not choose' render box.pbrt -o a.exr --integrator two-way --connections 2
+expect 3 '^bdpt: .*multiple of 8' render box.pbrt -o a.exr --integrator matrix --spp 4
+
 # Ctrl-C writes what is finished.
 "$BDPT_TOOL" render box.pbrt -o cut.exr --film cut.film --spp 100000000 2>stderr.txt &
 job=$!

@@ -80,52 +80,53 @@ struct SamplePath {
 // The emitters of scenes::room() are told apart by their colour.
 int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1 ? 1 : 2; }
 
-void append(Path& path, const SubpathPool& pool, const Vertex& z) {  // z ... z_0, backwards
+void append(Path& path, const EyeSubpaths& eye, const Vertex& z) {  // z ... z_0, backwards
   const Vertex* v = &z;
-  for (; v; v = v->previous_index == kNoVertex ? nullptr : &pool.eye[v->previous_index])
+  for (; v; v = v->previous_index == kNoVertex ? nullptr : &eye.vertices[v->previous_index])
     path.points.push_back({v->p, v});
-  path.points.push_back({pool.eye_starts[0].p});
+  path.points.push_back({eye.starts[0].p});
 }
 
 std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
-  const SubpathPool& pool = block.pool();
+  const EyeSubpaths& eye = block.eye();
+  const LightSubpaths& light = block.light();
   const Engine& engine = block.engine();
   std::vector<SamplePath> paths;
   const auto prefix = [&](const Vertex& y) {  // y_0 ... y
     Path path;
-    for (const Vertex* v = &y; v; v = v->previous_index == kNoVertex ? nullptr : &pool.light[v->previous_index])
+    for (const Vertex* v = &y; v; v = v->previous_index == kNoVertex ? nullptr : &light.vertices[v->previous_index])
       path.points.insert(path.points.begin(), {v->p, v});
-    path.light = pool.light_starts[0].y0;
+    path.light = light.starts[0].y0;
     path.points.insert(path.points.begin(), Point{path.light.p});
     return path;
   };
-  for (uint32_t i = pool.last_eye[0]; i != kNoVertex; i = pool.eye[i].previous_index) {
-    const Vertex& z = pool.eye[i];
+  for (uint32_t i = eye.last[0]; i != kNoVertex; i = eye.vertices[i].previous_index) {
+    const Vertex& z = eye.vertices[i];
     if (!is_black(z.material->emission)) {
       Path path;
       path.light = {light_of(z.material->emission), false, true, z.p, z.ng};
-      append(path, pool, z);
+      append(path, eye, z);
       if (z.count > 2) paths.push_back({0, int(z.count), path});
     }
     DirectLight direct;
-    if (scene.lights().sample_direct(z.p, engine.draw(pool.eye_streams[0], z.count, Purpose::Connect).u, direct)) {
+    if (scene.lights().sample_direct(z.p, engine.draw(eye.streams[0], z.count, Purpose::Connect).u, direct)) {
       Path path;
       path.light = direct.y0;
       path.points.push_back({direct.y0.p});
-      append(path, pool, z);
+      append(path, eye, z);
       paths.push_back({1, int(z.count), path});
     }
-    for (uint32_t j = pool.last_light[0]; j != kNoVertex; j = pool.light[j].previous_index) {
-      Path path = prefix(pool.light[j]);
-      append(path, pool, z);
-      paths.push_back({int(pool.light[j].count), int(z.count), path});
+    for (uint32_t j = light.last[0]; j != kNoVertex; j = light.vertices[j].previous_index) {
+      Path path = prefix(light.vertices[j]);
+      append(path, eye, z);
+      paths.push_back({int(light.vertices[j].count), int(z.count), path});
     }
   }
-  for (uint32_t j = pool.last_light[0]; j != kNoVertex; j = pool.light[j].previous_index) {
-    const Vertex& y = pool.light[j];
+  for (uint32_t j = light.last[0]; j != kNoVertex; j = light.vertices[j].previous_index) {
+    const Vertex& y = light.vertices[j];
     SensorPoint lens;
-    if (!engine.sensor.sample_toward(y.p, engine.draw(pool.light_streams[0], y.count, Purpose::Connect).u,
-                                     engine.bounds, lens))
+    if (!engine.sensor.sample_toward(y.p, engine.draw(light.streams[0], y.count, Purpose::Connect).u, engine.bounds,
+                                     lens))
       continue;
     Path path = prefix(y);
     path.points.push_back({lens.p});
@@ -244,6 +245,7 @@ TEST(TransportWeights, OfRandomDensitiesSumToOne) {
     PathTechniques path{vertices.data(), k + 1, std::exp(4.0 * uniform() - 2)};
     path.t0_exists = uniform() < 0.5f;
     path.corner_exists = uniform() < 0.8f;
+    path.counts = {.light = 1 + 7 * uniform(), .direct = 2, .connections = 0.3f + 20 * uniform()};
     TransportOptions options;
     for (uint32_t& row : options.techniques.rows) row = ~(uniform() < 0.3f ? 1u << int(uniform() * 10) : 0);
     options.techniques.rows[0] = ~0u;  // s = 0 covers every path
@@ -266,6 +268,7 @@ TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
         for (size_t i = 0; i < 4; ++i) {
           TransportOptions options = with(options_for(mask, kMaxEdges), kHeuristics[i]);
           options.uniform_light_start = uniform_light_start;
+          options.light_samples = i == 1 ? 3 : 1;  // techniques that differ in their number of samples
           OneSample fast(*scene, *camera, options), slow(*scene, *camera, options);
           ASSERT_TRUE(fast.engine().running_sums);
           slow.engine().running_sums = false;

@@ -1,6 +1,7 @@
 #include "api/check.h"
 #include "api/desc.h"
 #include "api/handles.h"
+#include "transport/plan.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,6 +12,7 @@ namespace {
 
 constexpr float kDefaultBeta = 2, kMaxBeta = 64;
 constexpr uint32_t kDefaultStrata = 4, kMaxStrata = 256, kDefaultRouletteStart = 4, kMaxBlock = 65536;
+constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024, kMaxPoolPasses = 64;
 
 // More than any path has, so nothing is lost.
 int to_int(uint32_t v) { return int(std::min(v, uint32_t(std::numeric_limits<int>::max()))); }
@@ -18,6 +20,14 @@ int to_int(uint32_t v) { return int(std::min(v, uint32_t(std::numeric_limits<int
 bool is_all(const uint32_t techniques[32]) {
   return std::all_of(techniques, techniques + 32, [](uint32_t row) { return row == 0; }) ||
          std::all_of(techniques, techniques + 32, [](uint32_t row) { return row == ~0u; });
+}
+
+const Plan* read_plan(const Subject& subject, const char* name) {
+  if (!name) return nullptr;
+  if (const Plan* plan = find_plan(name)) return plan;
+  std::string names;
+  for (const Plan* const* p = kPlans; *p; ++p) names += std::string(names.empty() ? "" : ", ") + (*p)->name;
+  subject.refuse("plan", "is \"", name, "\": give one of ", names, ", or NULL for ", kPlans[0]->name);
 }
 
 TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& desc) {
@@ -38,6 +48,25 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.strata = int(desc.strata == 0 ? kDefaultStrata : desc.strata);
   subject.check_enum("light_start", desc.light_start, BDPT_LIGHT_START_UNIFORM);
   options.uniform_light_start = desc.light_start == BDPT_LIGHT_START_UNIFORM;
+  options.plan = read_plan(subject, desc.plan);
+  subject.check_range("connections", desc.connections, 0, kMaxConnections);
+  const Plan& plan = options.plan ? *options.plan : *kPlans[0];
+  if (desc.connections != 0 && plan.default_connections == 0)
+    subject.refuse("connections", "is ", desc.connections, ", but the plan ", plan.name,
+                   " does not choose among light vertices: give 0, or another plan");
+  options.connections = int(desc.connections);
+  subject.check_range("pool_passes", desc.pool_passes, 0, kMaxPoolPasses);
+  if (desc.pool_passes != 0 && plan.passes == 1)
+    subject.refuse("pool_passes", "is ", desc.pool_passes, ", but the plan ", plan.name,
+                   " has no pools of several passes: give 0, or another plan");
+  options.pool_passes = int(desc.pool_passes);
+  subject.check_enum("order", desc.order, BDPT_ORDER_NONE);
+  options.order = static_cast<Order>(desc.order);
+  subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
+  options.partners = static_cast<Partners>(desc.partners);
+  if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
+  subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
+  options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
   options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);
   return options;
 }
@@ -62,14 +91,28 @@ void check_fit(const bdpt_scene& scene, const bdpt_sensor& sensor, const bdpt_fi
          sensor.sensor->width(), " x ", sensor.sensor->height(), ": create the film for this sensor");
 }
 
-// Told only to hosts that asked for t = 0 in so many words: with "all" nobody expects what the sensor cannot do.
-void report_dropped(const Log& log, const bdpt_render_desc& desc, const Sensor& sensor) {
-  if (sensor.is_hittable() || is_all(desc.techniques)) return;
+// Told only to hosts that asked for a technique in so many words: with "all" nobody expects what cannot be.
+void report_dropped(const Log& log, const bdpt_render_desc& desc, const Sensor& sensor, const Plan* plan) {
+  if (is_all(desc.techniques)) return;
+  if (plan && !plan->serves(2, 2) &&
+      std::any_of(desc.techniques + 2, desc.techniques + 32, [](uint32_t row) { return (row & ~3u) != 0; }))
+    log.info("the techniques with s >= 2 and t >= 2 are dropped: the plan two-way does none of them");
+  if (sensor.is_hittable()) return;
   const bool asked = std::any_of(desc.techniques + 2, desc.techniques + 32, [](uint32_t row) { return row & 1u; });
   if (asked) log.info("the techniques with t = 0 are dropped: no light path can hit a pinhole");
 }
 
 }  // namespace
+
+const char* bdpt_plan_name(uint32_t index) {
+  const Plan* plan = plan_at(index);
+  return plan ? plan->name : nullptr;
+}
+
+const char* bdpt_plan_summary(uint32_t index) {
+  const Plan* plan = plan_at(index);
+  return plan ? plan->summary : nullptr;
+}
 
 bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film* film, const bdpt_render_desc* desc,
                                bdpt_render** render) {
@@ -87,7 +130,7 @@ bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film
     object->film = Ref<bdpt_film>(film);
     object->render = std::make_unique<Render>(scene->scene, sensor->sensor, film->film, scene->context->executor,
                                               scene->context->meter, options);
-    report_dropped(*scene->context->log, d, *sensor->sensor);
+    report_dropped(*scene->context->log, d, *sensor->sensor, options.transport.plan);
     *render = object.release();
   });
 }

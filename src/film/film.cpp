@@ -41,9 +41,10 @@ uint64_t Film::passes() const {
 }
 
 uint64_t Film::passes_in_group(int group) const {
-  const auto below = [&](uint64_t end) {  // passes p < end with p mod groups = group
-    const uint64_t g = uint64_t(desc_.groups);
-    return end / g + (end % g > uint64_t(group) ? 1 : 0);
+  const uint64_t pool = recipe_.pool_passes, g = uint64_t(desc_.groups);
+  const auto below = [&](uint64_t end) {  // passes p < end of this group; end is a multiple of the pool
+    const uint64_t pools = end / pool;
+    return (pools / g + (pools % g > uint64_t(group) ? 1 : 0)) * pool;
   };
   uint64_t n = 0;
   for (const PassRange& r : ranges_) n += below(r.end) - below(r.begin);
@@ -130,7 +131,7 @@ void Film::add_technique_sample(int s, int t, const FilmPosition& film, const Rg
 
 void Film::end_pass(uint64_t pass, int row_begin, int row_end) {
   const size_t first = size_t(row_begin) * size_t(desc_.width), last = size_t(row_end) * size_t(desc_.width);
-  PixelSums* group = sums_.data() + size_t(pass % uint64_t(desc_.groups)) * pixels();
+  PixelSums* group = sums_.data() + size_t(recipe_.group(pass, desc_.groups)) * pixels();
   for (size_t i = first; i < last; ++i) {
     for (int c = 0; c < 3; ++c) {
       group[i].eye[c].add(pass_[i].eye[c]);
@@ -166,7 +167,7 @@ bool unite(std::vector<PassRange> all, std::vector<PassRange>& united) {
 
 void Film::commit_pass(uint64_t pass) {
   std::vector<PassRange> all = ranges_;
-  all.push_back({pass, pass + 1});
+  all.push_back({pass, pass + recipe_.pool_passes});
   if (!unite(all, ranges_)) fail(ErrorCode::Internal, "pass ", pass, " was rendered twice");
   rejected_ += rejected_pass_.exchange(0);
   partial_ = false;
@@ -212,7 +213,7 @@ void Film::read_group(int group, size_t pixel, double rgb[3]) const {
 void Film::read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* out,
                 size_t row_stride) const {
   include_partial = include_partial && partial_;
-  const double whole = double(passes() + (include_partial ? 1 : 0));
+  const double whole = double(passes() + (include_partial ? recipe_.pool_passes : 0));
   const double per_pass = whole > 0 ? 1 / whole : 0;
   std::vector<double> group_passes;
   for (int g = 0; g < desc_.groups; ++g) group_passes.push_back(double(passes_in_group(g)));

@@ -29,6 +29,9 @@ struct FilmDesc {
 struct FilmRecipe {
   uint64_t seed = 0, scene_hash = 0, options_hash = 0;
   uint64_t samples_per_pass = 0;  // N of Veach (10.10): light subpaths, and eye subpaths, of a pass
+  uint64_t pool_passes = 1;       // passes come so many at a time: [0, n), [n, 2n) ...
+  // Passes fall into independently scrambled groups.
+  uint64_t group(uint64_t pass, int groups) const { return (pass / pool_passes) % uint64_t(groups); }
   bool operator==(const FilmRecipe&) const = default;
 };
 
@@ -75,6 +78,7 @@ class Film {
   void add_light_sample(const FilmPosition& film, const Rgb& value);
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
   bool has_technique(int s, int t) const { return s + t >= 2 && s + t - 1 <= desc_.pyramid_edges; }
+  // The pass in hand is `pass` and those that come with it.
   void end_pass(uint64_t pass, int row_begin, int row_end);  // folds these rows; rows in parallel
   void commit_pass(uint64_t pass);                           // after all rows are folded
   void discard_pass();                                       // forgets the pass in hand

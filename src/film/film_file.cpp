@@ -15,8 +15,9 @@ namespace bdpt {
 namespace {
 
 constexpr char kMagic[8] = {'b', 'd', 'p', 't', 'f', 'i', 'l', 'm'};
-constexpr uint32_t kVersion = 1;
+constexpr uint32_t kVersion = 2;
 constexpr uint32_t kMaxRanges = 1u << 24;
+constexpr uint64_t kMaxPoolPasses = 1u << 16;
 
 static_assert(sizeof(PixelSums) == 7 * 16 && std::is_trivially_copyable_v<PixelSums>);
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "film files hold the sums as they are in memory");
@@ -101,13 +102,14 @@ FilmDesc read_desc(Reader& in) {
   return d;
 }
 
-std::vector<PassRange> read_ranges(Reader& in) {
+std::vector<PassRange> read_ranges(Reader& in, uint64_t pool) {
   const uint32_t count = in.value<uint32_t>();
   if (count > kMaxRanges || uint64_t(count) * sizeof(PassRange) > in.remaining())
     in.bad("it claims too many ranges of passes");
   std::vector<PassRange> ranges;
   for (uint32_t i = 0; i < count; ++i) {
     const PassRange r{in.value<uint64_t>(), in.value<uint64_t>()};
+    if (r.begin % pool != 0 || r.end % pool != 0) in.bad("its ranges of passes cut through a pool");
     if (r.begin >= r.end || (!ranges.empty() && r.begin <= ranges.back().end))
       in.bad("its ranges of passes are not in order");
     ranges.push_back(r);
@@ -135,6 +137,7 @@ void Film::save(const std::string& path) const {
   out.value(recipe_.scene_hash);
   out.value(recipe_.options_hash);
   out.value(recipe_.samples_per_pass);
+  out.value(recipe_.pool_passes);
   out.value(rejected_);
   out.value(uint32_t(ranges_.size()));
   for (const PassRange& r : ranges_) {
@@ -162,8 +165,10 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   recipe.scene_hash = in.value<uint64_t>();
   recipe.options_hash = in.value<uint64_t>();
   recipe.samples_per_pass = in.value<uint64_t>();
+  recipe.pool_passes = in.value<uint64_t>();
+  if (recipe.pool_passes == 0 || recipe.pool_passes > kMaxPoolPasses) in.bad("its pool has no such number of passes");
   const uint64_t rejected = in.value<uint64_t>();
-  std::vector<PassRange> ranges = read_ranges(in);
+  std::vector<PassRange> ranges = read_ranges(in, recipe.pool_passes);
   // Before memory is taken for what a damaged header claims.
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height), k = uint64_t(desc.pyramid_edges);
   const uint64_t bytes =

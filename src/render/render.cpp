@@ -3,6 +3,7 @@
 #include "render/float_mode.h"
 #include "sampling/hash.h"
 #include "transport/block.h"
+#include "transport/plan.h"
 
 #include <chrono>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr uint32_t kDefaultBlock = 256;
 constexpr double kProgressInterval = 0.1;
+constexpr double kPoolReserve = 1.3;        // vectors grow in steps, and passes differ from the pilot
 constexpr uint64_t kBytesPerSample = 4096;  // of a block's buffers, for the memory limit: some ten vertices a side
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -49,6 +51,7 @@ struct Render::Call {
   std::atomic<uint64_t> samples{0};
   std::atomic<uint32_t> blocks_done{0};
   uint32_t blocks = 1;
+  uint64_t pool_passes = 1;
   double last_progress = now();
   double fraction = 0;
   double relative_error = -1;
@@ -62,7 +65,7 @@ struct Render::Call {
   void report() {
     if (!desc.on_progress || callback_stopped) return;
     double f = 0;
-    const double done = double(passes) + double(blocks_done) / blocks;
+    const double done = double(passes) + double(pool_passes) * double(blocks_done) / blocks;
     if (desc.passes > 0) f = std::max(f, done / double(desc.passes));
     if (desc.seconds > 0) f = std::max(f, seconds() / desc.seconds);
     if (desc.noise > 0 && relative_error > 0) f = std::max(f, std::pow(desc.noise / relative_error, 2));
@@ -96,18 +99,33 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
   if (!film_->acquire()) fail(ErrorCode::InUse, "film: another render fills it; destroy that first");
   try {
     engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);
-    const uint64_t options = hash_values(sensor_->hash(), film_->desc().hash(), desc.transport.hash());
-    film_->begin({desc.seed, scene_->info().hash, options, engine_->samples_per_pass()});
-    blocks_ = make_blocks(engine_->bounds, desc.block_size ? desc.block_size : kDefaultBlock);
+    const uint64_t n = engine_->pool_passes;
+    if (desc.first_pass % n != 0)
+      fail(ErrorCode::InvalidArgument, "first_pass: is ", desc.first_pass, ", but the plan ", engine_->plan.name,
+           " takes ", n, " passes at once: give a multiple of ", n);
+    film_->begin(engine_->recipe());
+    const uint32_t own = engine_->plan.block_size, wanted = desc.block_size ? desc.block_size : kDefaultBlock;
+    blocks_ = make_blocks(engine_->bounds, own ? own : wanted);
     blocks_done_.assign(blocks_.size(), 0);
     const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
-    booking_ =
-        Booking(std::move(meter), executor_->worker_count() * block_samples * kBytesPerSample, "the render's blocks");
+    booking_ = Booking(meter, executor_->worker_count() * block_samples * n * kBytesPerSample, "the render's blocks");
+    if (engine_->plan.pooled) make_pool(meter);
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {
     film_->release();
     throw;
   }
+}
+
+void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {
+  const FloatMode mode;
+  const LightPilot pilot = pilot_light(*engine_);
+  stats_ += pilot.stats;
+  engine_->set_counts(pilot.connectable);
+  const double bytes = pilot.vertices * kPoolReserve * (sizeof(Vertex) + 8) + sizeof(LightStart) + sizeof(Stream) + 4;
+  pool_booking_ =
+      Booking(meter, uint64_t(double(engine_->light_per_pass()) * bytes), "the plan's pool of light subpaths");
+  pool_ = std::make_unique<LightPool>();
 }
 
 Render::~Render() {
@@ -128,14 +146,13 @@ std::unique_ptr<Render::Worker> Render::take_worker() {
   return worker;
 }
 
-void Render::run_block(uint32_t i, Call& call) {
-  if (blocks_done_[i] || call.stop || call.cancelled()) return;
+// Gives a task a worker's block, unless the call is to stop; keeps its statistics, or what it threw.
+void Render::run_task(Call& call, const std::function<void(Block&)>& task) {
+  if (call.stop || call.cancelled()) return;
   try {
     const FloatMode mode;
     std::unique_ptr<Worker> worker = take_worker();
-    worker->block.run(pass_, blocks_[i]);
-    blocks_done_[i] = 1;
-    ++call.blocks_done;
+    task(worker->block);
     const TransportStats stats = worker->block.take_stats();
     call.samples += stats.samples;
     const std::lock_guard lock(workers_mutex_);
@@ -149,23 +166,63 @@ void Render::run_block(uint32_t i, Call& call) {
   call.report_now_and_then();
 }
 
+// The pass starts anew, without what is in hand.
+void Render::restart_pass() {
+  film_->discard_pass();
+  pool_filled_ = false;
+  std::fill(blocks_done_.begin(), blocks_done_.end(), 0);
+}
+
+// Runs tasks; true when all are done, false when the call was told to stop.
+bool Render::run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,
+                       const std::function<void(uint32_t)>& task) {
+  executor_->run(count, task);
+  if (call.error) {  // something may have been counted in part
+    restart_pass();
+    std::rethrow_exception(call.error);
+  }
+  if (done == count) return true;
+  if (!call.stop && !call.cancelled())
+    fail(ErrorCode::CallbackFailed, "executor: run returned before it had called the body for each index");
+  return false;
+}
+
+bool Render::fill_pool(Call& call) {
+  pool_->begin(engine_->light_per_pass());
+  std::atomic<uint32_t> done{0};
+  const bool filled = run_tasks(call, pool_->pieces(), done, [&](uint32_t i) {
+    run_task(call, [&](Block& block) {
+      pool_->fill(block, pass_, i);
+      ++done;
+    });
+  });
+  if (!filled) {
+    restart_pass();
+    return false;
+  }
+  pool_->finish();
+  return pool_filled_ = true;
+}
+
 // True when the pass in hand is whole.
 bool Render::run_pass(Call& call) {
   call.blocks = uint32_t(blocks_.size());
+  call.pool_passes = engine_->pool_passes;
   uint32_t done = 0;
   for (uint8_t b : blocks_done_) done += b;
   call.blocks_done = done;
   film_->set_partial(true);
-  executor_->run(uint32_t(blocks_.size()), [&](uint32_t i) { run_block(i, call); });
-  if (call.error) {  // a block may have been counted in part: the pass starts anew
-    film_->discard_pass();
-    std::fill(blocks_done_.begin(), blocks_done_.end(), 0);
-    std::rethrow_exception(call.error);
-  }
-  if (call.blocks_done < blocks_.size()) {
-    if (!call.stop && !call.cancelled())
-      fail(ErrorCode::CallbackFailed, "executor: run returned before it had called the body for each index");
-    film_->set_partial(call.blocks_done > 0);
+  if (pool_ && !pool_filled_ && !fill_pool(call)) return false;
+  const bool whole = run_tasks(call, uint32_t(blocks_.size()), call.blocks_done, [&](uint32_t i) {
+    if (blocks_done_[i]) return;
+    run_task(call, [&](Block& block) {
+      block.run(pass_, blocks_[i], pool_.get());
+      blocks_done_[i] = 1;
+      ++call.blocks_done;
+    });
+  });
+  if (!whole) {
+    film_->set_partial(call.blocks_done > 0 || pool_filled_);
     return false;
   }
   const int height = film_->desc().height, bands = std::min(height, 64);
@@ -174,14 +231,19 @@ bool Render::run_pass(Call& call) {
   });
   film_->commit_pass(pass_);
   std::fill(blocks_done_.begin(), blocks_done_.end(), 0);
-  pass_ = next_free_pass(*film_, pass_ + 1);
-  ++passes_;
-  ++call.passes;
+  pool_filled_ = false;
+  const uint64_t n = engine_->pool_passes;
+  pass_ = next_free_pass(*film_, pass_ + n);
+  passes_ += n;
+  call.passes += n;
   call.blocks_done = 0;
   return true;
 }
 
 AdvanceReport Render::advance(const AdvanceDesc& desc) {
+  if (const uint64_t n = engine_->pool_passes; desc.passes % n != 0)
+    fail(ErrorCode::InvalidArgument, "passes: is ", desc.passes, ", but the plan ", engine_->plan.name, " takes ", n,
+         " passes at once: give a multiple of ", n);
   Call call(desc);
   engine_->recorder = recorder_;
   AdvanceReport report;

@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 #include "sensor/sensor.h"
 #include "transport/block.h"
+#include "transport/light_pool.h"
 
 #include <atomic>
 #include <functional>
@@ -68,7 +69,12 @@ class Render {
   struct Worker;
   struct Call;
   bool run_pass(Call& call);
-  void run_block(uint32_t block, Call& call);
+  bool fill_pool(Call& call);
+  void make_pool(const std::shared_ptr<MemoryMeter>& meter);
+  void restart_pass();
+  bool run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,
+                 const std::function<void(uint32_t)>& task);
+  void run_task(Call& call, const std::function<void(Block&)>& task);
   std::unique_ptr<Worker> take_worker();
 
   std::shared_ptr<const Scene> scene_;
@@ -76,11 +82,13 @@ class Render {
   std::shared_ptr<Film> film_;
   std::shared_ptr<Executor> executor_;
   RenderDesc desc_;
-  Booking booking_;
+  Booking booking_, pool_booking_;
   std::unique_ptr<Engine> engine_;
   std::vector<BlockRect> blocks_;
   std::vector<uint8_t> blocks_done_;  // of the pass in hand
   uint64_t pass_ = 0;                 // the pass in hand
+  std::unique_ptr<LightPool> pool_;   // for plans that need one
+  bool pool_filled_ = false;          // for the pass in hand
   mutable std::mutex workers_mutex_;
   std::vector<std::unique_ptr<Worker>> workers_;  // those that are idle
   TransportStats stats_;

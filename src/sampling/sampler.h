@@ -28,6 +28,7 @@ struct Stream {
 enum class Purpose : uint32_t {
   Start = 0,      // eye: film 2, lens 2. Light: choice of light, position 2
   Direction = 1,  // light: first direction 2
+  Partner = 1,    // at a vertex: eye: which light vertices it meets
   Scatter = 2,    // at a vertex: event, direction 2, roulette
   Connect = 3,    // at a vertex: eye: light and point on it (s = 1). Light: lens (t = 1)
 };

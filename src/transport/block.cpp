@@ -29,49 +29,64 @@ class StageTimer {
 
 }  // namespace
 
-void Block::run(uint64_t pass, const BlockRect& rect) {
-  start(pass, rect);
+void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
+  pool_ = pool;
+  measures_ = true;
+  start_eyes(pass, rect);
   extend();
-  const double shadow_before = stats_.shadow, accumulate_before = stats_.accumulate;
-  const double begin = seconds_now();
-  plan_one_to_one(*this);
-  stats_.connect += seconds_now() - begin - (stats_.shadow - shadow_before) - (stats_.accumulate - accumulate_before);
-  shadow();
+  if (engine_.keeps_vertices()) {
+    const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
+    engine_.plan.connect(*this);
+    stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
+    shadow();
+  }
   accumulate();
+}
+
+void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept) {
+  measures_ = pass != kPilotPass;
+  {
+    StageTimer timer(stats_.start);
+    start(0, count);
+    for (uint32_t i = 0; i < count; ++i) start_light(pass, first + i, i);
+  }
+  extend();
+  std::swap(light_, kept);
 }
 
 // --- start ---
 
-void Block::start(uint64_t pass, const BlockRect& rect) {
-  StageTimer timer(stats_.start);
-  const SampleBounds& bounds = engine_.bounds;
-  const size_t samples = size_t(rect.x1 - rect.x0) * size_t(rect.y1 - rect.y0);
-  pool_.eye.clear();
-  pool_.light.clear();
-  pool_.eye_starts.resize(samples);
-  pool_.light_starts.resize(samples);
-  pool_.eye_streams.resize(samples);
-  pool_.light_streams.resize(samples);
-  pool_.has_light.assign(samples, 0);
-  pool_.last_eye.assign(samples, kNoVertex);
-  pool_.last_light.assign(samples, kNoVertex);
-  eye_sums_.assign(samples, Rgb());
+void Block::start(size_t eyes, size_t lights) {
+  eye_.reset(eyes);
+  light_.reset(lights);
+  eye_sums_.assign(eyes, Rgb());
   walkers_.clear();
   rays_.clear();
+}
+
+void Block::start_eyes(uint64_t pass, const BlockRect& rect) {
+  StageTimer timer(stats_.start);
+  const SampleBounds& bounds = engine_.bounds;
+  const uint32_t passes = uint32_t(engine_.pool_passes);
+  const uint32_t samples = passes * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
+  seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
+  const uint32_t lights = engine_.max_light > 0 && !pool_ ? uint32_t(engine_.options.light_samples) : 0;
+  start(samples, size_t(samples) * lights);
   uint32_t sample = 0;
-  for (int y = rect.y0; y < rect.y1; ++y)
-    for (int x = rect.x0; x < rect.x1; ++x, ++sample) {
-      const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
-      start_eye(pass, number, float(x), float(y), sample);
-      if (engine_.max_light > 0) start_light(pass, number, sample);
-    }
+  for (uint64_t p = pass; p < pass + passes; ++p)
+    for (int y = rect.y0; y < rect.y1; ++y)
+      for (int x = rect.x0; x < rect.x1; ++x, ++sample) {
+        const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
+        start_eye(p, number, float(x), float(y), sample);
+        for (uint32_t l = 0; l < lights; ++l) start_light(p, number * lights + l, sample * lights + l);
+      }
   stats_.samples += samples;
 }
 
 void Block::start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t sample) {
-  const Stream stream = pool_.eye_streams[sample] = engine_.eye_stream(pass, number);
+  const Stream stream = eye_.streams[sample] = engine_.eye_stream(pass, number);
   const Four u = engine_.draw_film(stream, pass, number);
-  EyeStart& z0 = pool_.eye_starts[sample];
+  EyeStart& z0 = eye_.starts[sample];
   // Within the pixel, whatever the rounding: x + u may come out as x + 1.
   const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };
   z0 = engine_.sensor.start({within(x, u[0]), within(y, u[1])}, u.u + 2, engine_.bounds);
@@ -84,19 +99,21 @@ void Block::start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t
   w.projected = z0.density_direction;
   w.throughput = Rgb(z0.weight);
   w.density = z0.density_position;
-  w.sums = engine_.classes.t0 ? 1 : 0;  // u_0: t = 0
+  w.sums = engine_.classes.t0;  // u_0: t = 0
   w.vertex = kNoVertex;
   w.count = 1;
   w.sample = sample;
   push_walker(walkers_, rays_, w, z0.p);
 }
 
-void Block::start_light(uint64_t pass, uint64_t number, uint32_t sample) {
-  const Stream stream = pool_.light_streams[sample] = engine_.light_stream(pass, number);
+void Block::start_light(uint64_t pass, uint64_t number, uint32_t light) {
+  const Stream stream = light_.streams[light] = engine_.light_stream(pass, number);
   const Four u = engine_.draw(stream, 0, Purpose::Start), v = engine_.draw(stream, 0, Purpose::Direction);
-  LightStart& y0 = pool_.light_starts[sample];
-  if (!engine_.scene.lights().start(u.u, v.u, engine_.options.uniform_light_start, y0)) return;
-  pool_.has_light[sample] = 1;
+  LightStart& y0 = light_.starts[light];
+  if (!engine_.scene.lights().start(u.u, v.u, engine_.options.uniform_light_start, y0)) {
+    y0.y0.light = -1;
+    return;
+  }
   if (engine_.max_light < 2 || is_black(y0.weight)) return;
   Walker w{};
   w.eye = false;
@@ -109,12 +126,11 @@ void Block::start_light(uint64_t pass, uint64_t number, uint32_t sample) {
   w.density = y0.density_position;
   w.start_hittable = y0.y0.has_area || y0.y0.infinite;
   w.start_finite = !y0.y0.infinite;
-  w.sums = engine_.classes.s0 && w.start_hittable ? 1 : 0;  // u_0: s = 0
+  w.sums = w.start_hittable ? engine_.classes.s0 : 0;  // u_0: s = 0
   w.vertex = kNoVertex;
   w.count = 1;
-  w.sample = sample;
-  push_walker(walkers_, rays_, w,
-              y0.y0.infinite ? y0.origin : off_surface(y0.y0, y0.direction));
+  w.sample = light;
+  push_walker(walkers_, rays_, w, y0.y0.infinite ? y0.origin : off_surface(y0.y0, y0.direction));
 }
 
 void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from) {
@@ -125,23 +141,52 @@ void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, co
 // --- extend ---
 
 void Block::extend() {
-  StageTimer timer(stats_.extend);
+  if (measures_ && engine_.allows(1, 1))
+    for (uint32_t light = 0; light < light_.count(); ++light) connect_start_to_sensor(light);
   while (!walkers_.empty()) {
-    trace();
-    next_walkers_.clear();
-    next_rays_.clear();
-    for (size_t i = 0; i < walkers_.size(); ++i) {
-      const Walker& w = walkers_[i];
-      ++(w.eye ? stats_.eye_rays : stats_.light_rays);
-      if (!w.eye && engine_.hit_sensor) hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
-      if (hits_[i].instance == kMiss)
-        escape(w);
-      else
-        arrive(w, rays_[i], hits_[i]);
+    {
+      StageTimer timer(stats_.extend);
+      trace();
+      next_walkers_.clear();
+      next_rays_.clear();
+      arrivals_.clear();
+      for (size_t i = 0; i < walkers_.size(); ++i) {
+        const Walker& w = walkers_[i];
+        ++(w.eye ? stats_.eye_rays : stats_.light_rays);
+        if (!w.eye && engine_.hit_sensor && measures_)
+          hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
+        if (hits_[i].instance == kMiss)
+          escape(w);
+        else
+          arrive(w, rays_[i], hits_[i]);
+      }
+      std::swap(walkers_, next_walkers_);
+      std::swap(rays_, next_rays_);
     }
-    std::swap(walkers_, next_walkers_);
-    std::swap(rays_, next_rays_);
+    if (measures_) connect_ends();
+    // A walker carries all that its weights need: a plan that joins no inner vertices has no use for them.
+    if (!engine_.keeps_vertices()) eye_.vertices.clear(), light_.vertices.clear();
   }
+  shadow();
+}
+
+// What the vertices just made can be joined to without knowing of any subpath of the other side. The shadow rays are
+// cast now, not when there are many: the order in which a sample's contributions are added must not depend on others.
+void Block::connect_ends() {
+  {
+    StageTimer timer(stats_.connect);
+    const uint32_t max_edges = engine_.max_edges();
+    for (const Arrival& a : arrivals_) {
+      const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
+      if (v.specular || v.count > max_edges) continue;
+      if (a.eye) {
+        if (engine_.allows(1, v.count) && !is_black(v.throughput)) connect_to_light(v, a.sample);
+      } else if (engine_.allows(v.count, 1)) {
+        connect_to_sensor(v, a.sample);
+      }
+    }
+  }
+  shadow();
 }
 
 void Block::trace() {
@@ -155,15 +200,14 @@ void Block::trace() {
 float Block::technique(const Walker& w, const Vertex& v) const {
   if (w.specular || v.specular) return 0;
   const TechniqueClasses& c = engine_.classes;
-  if (w.count > 1) return c.inner ? 1 : 0;
-  if (w.eye) return c.t1 ? 1 : 0;
-  return c.s1 ? v.direct : 0;
+  if (w.count > 1) return c.inner;
+  return w.eye ? c.t1 : c.s1 * v.direct;
 }
 
 void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   Surface surface;
   if (!engine_.scene.surface(ray, hit, surface)) return;
-  std::vector<Vertex>& vertices = w.eye ? pool_.eye : pool_.light;
+  std::vector<Vertex>& vertices = w.eye ? eye_.vertices : light_.vertices;
   const Vec3 edge = surface.p - w.origin;
   const float cosine = absdot(surface.ng, w.direction);
   const float geometry = w.infinite ? cosine : w.cosine * cosine / length_squared(edge);
@@ -195,11 +239,12 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.start_hittable = w.start_hittable;
   v.start_finite = w.start_finite;
   if (!w.eye && w.count == 1) {
-    const LightStart& y0 = pool_.light_starts[w.sample];
+    const LightStart& y0 = light_.starts[w.sample];
     v.direct = engine_.scene.lights().direct_density(y0.y0, v.p) / y0.density_position;
   }
   v.technique = technique(w, v);
-  (w.eye ? pool_.last_eye : pool_.last_light)[w.sample] = index;
+  (w.eye ? eye_.last : light_.last)[w.sample] = index;
+  arrivals_.push_back({index, w.sample, w.eye});
 
   if (w.eye && surface.light >= 0 && engine_.allows(0, v.count)) {
     LightPoint x0;
@@ -243,15 +288,15 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
   if (engine_.running_sums) {
     // u_1 is that of s = 1 here, seen from the eye: P_A^d(x_0) takes the place of P_A(x_0).
     const TechniqueClasses& c = engine_.classes;
-    const bool exists = !w.specular && (corner ? c.corner && !x0.infinite : c.s1);
+    const float count = w.specular || (corner && x0.infinite) ? 0 : corner ? c.corner : c.s1;
     weight = engine_.heuristic.weight(
-        0, engine_.heuristic.combine(exists ? direct : 0, position * direction * z.sums) / z.density);
+        0, engine_.heuristic.combine(count * direct, position * direction * z.sums) / z.density);
   } else if (!engine_.unweighted) {
     Edge edge;
     edge.light_at_z = position;
     edge.light_before_z = direction * z.geometry;
-    weight =
-        path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true, !x0.infinite);
+    weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true,
+                         !x0.infinite, light_);
   }
   add_eye(w.sample, 0, z.count, w.throughput * radiance * weight);
 }
@@ -272,10 +317,10 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   float weight = 1;
   if (engine_.running_sums) {
     const TechniqueClasses& c = engine_.classes;
-    const bool exists = !w.specular && (corner ? c.corner : c.t1);
+    const float count = w.specular ? 0 : corner ? c.corner : c.t1;
     const float sums = geometry / w.density * w.sums;
     weight = engine_.heuristic.weight(
-        z0.density_position / density * engine_.heuristic.combine(exists ? 1 : 0, z0.density_direction * sums), 0);
+        z0.density_position / (density * c.t0) * engine_.heuristic.combine(count, z0.density_direction * sums), 0);
   } else if (!engine_.unweighted) {
     Vertex y{};
     y.density = density;
@@ -285,14 +330,14 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
     Edge edge;
     edge.eye_at_y = z0.density_position;
     edge.eye_before_y = z0.density_direction * geometry;
-    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite);
+    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite, light_);
   }
-  add_light(z0.film, s, 0, w.throughput * (z0.importance * weight));
+  add_light(z0.film, s, 0, w.throughput * (z0.importance * weight / engine_.counts.light));
 }
 
 void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   const TransportMode mode = w.eye ? TransportMode::Radiance : TransportMode::Importance;
-  const Four u = engine_.draw((w.eye ? pool_.eye_streams : pool_.light_streams)[w.sample], v.count, Purpose::Scatter);
+  const Four u = engine_.draw((w.eye ? eye_.streams : light_.streams)[w.sample], v.count, Purpose::Scatter);
   const float gp = v.previous_cosine_g, sp = v.previous_cosine_s;
   if (!(gp * sp > 0)) return;
   const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
@@ -367,7 +412,7 @@ void Block::shadow() {
 
 void Block::accumulate() {
   StageTimer timer(stats_.accumulate);
-  for (size_t i = 0; i < eye_sums_.size(); ++i) engine_.film.add_eye_sample(pool_.eye_starts[i].film, eye_sums_[i]);
+  for (size_t i = 0; i < eye_sums_.size(); ++i) engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i]);
 }
 
 void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
@@ -377,7 +422,7 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
   }
   eye_sums_[sample] += value;
   if (engine_.film.desc().pyramid_edges > 0)
-    engine_.film.add_technique_sample(int(s), int(t), pool_.eye_starts[sample].film, value);
+    engine_.film.add_technique_sample(int(s), int(t), eye_.starts[sample].film, value);
 }
 
 void Block::add_light(const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value) {
@@ -402,11 +447,10 @@ TransportStats Block::take_stats() {
 }
 
 size_t Block::memory() const {
-  return (pool_.eye.capacity() + pool_.light.capacity()) * sizeof(Vertex) +
-         (walkers_.capacity() + next_walkers_.capacity()) * sizeof(Walker) +
+  return eye_.memory() + light_.memory() + (walkers_.capacity() + next_walkers_.capacity()) * sizeof(Walker) +
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
-         pool_.samples() * (sizeof(EyeStart) + sizeof(LightStart) + 2 * sizeof(Stream) + sizeof(Rgb) + 9);
+         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb);
 }
 
 }  // namespace bdpt

@@ -2,6 +2,9 @@
 //
 //   start ──▶ extend ──▶ plan ──▶ shadow ──▶ accumulate
 //
+// Subpaths grow by one vertex at a time, all of the block side by side. What meets the other end's first vertex (s = 1,
+// t = 1) is joined at once; what joins two inner vertices waits for the plan, which is the one reason to keep vertices.
+//
 // Small enough for a core's own cache, large enough for full packets of rays. One thread works on a block; its buffers
 // are kept for the next one.
 #pragma once
@@ -18,21 +21,38 @@ struct BlockRect {
   int x0, y0, x1, y1;
 };
 
-// The subpaths of a block. Sample i has an eye subpath, a light subpath, or both.
-struct SubpathPool {
-  std::vector<EyeStart> eye_starts;
-  std::vector<LightStart> light_starts;
-  std::vector<uint8_t> has_light;
-  std::vector<Stream> eye_streams, light_streams;
-  std::vector<Vertex> eye, light;
-  std::vector<uint32_t> last_eye, last_light;  // of each sample; kNoVertex where a subpath has one vertex only
-  size_t samples() const { return last_eye.size(); }
+// Subpaths of one side.
+template <class Start>
+struct Subpaths {
+  std::vector<Start> starts;
+  std::vector<Stream> streams;
+  std::vector<Vertex> vertices;
+  std::vector<uint32_t> last;  // vertex of each subpath; kNoVertex where it has one vertex only
+  size_t count() const { return last.size(); }
+  void reset(size_t n) {
+    starts.resize(n);
+    streams.resize(n);
+    vertices.clear();
+    last.assign(n, kNoVertex);
+  }
+  size_t memory() const {
+    return starts.capacity() * sizeof(Start) + streams.capacity() * sizeof(Stream) +
+           vertices.capacity() * sizeof(Vertex) + last.capacity() * sizeof(uint32_t);
+  }
 };
+using EyeSubpaths = Subpaths<EyeStart>;
+using LightSubpaths = Subpaths<LightStart>;
+
+class LightPool;
 
 class Block {
  public:
   explicit Block(const Engine& engine) : engine_(engine) {}
-  void run(uint64_t pass, const BlockRect& rect);
+  // The samples of some pixels, from the first vertex into the film. With a pool, eye subpaths alone.
+  void run(uint64_t pass, const BlockRect& rect, const LightPool* pool = nullptr);
+  // The light subpaths [first, first + count) of a pass, kept for a pool; those ends of theirs that need no eye subpath
+  // go into the film.
+  void run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept);
 
   const TransportStats& stats() const { return stats_; }
   TransportStats take_stats();
@@ -41,15 +61,18 @@ class Block {
 
   // For plans (plan.h).
   const Engine& engine() const { return engine_; }
-  const SubpathPool& pool() const { return pool_; }
-  // s = 1: joins z to a fresh light vertex.
-  void connect_to_light(const Vertex& z, uint32_t sample);
-  // s >= 2, t >= 2.
-  void connect(const Vertex& y, const Vertex& z, uint32_t sample);
-  // t = 1: joins y to a fresh sensor vertex.
-  void connect_to_sensor(const Vertex& y, uint32_t sample);
-  // (1,1): joins y_0 to a fresh sensor vertex.
-  void connect_start_to_sensor(uint32_t sample);
+  // Light subpaths [i n, (i + 1) n) are those of eye subpath i, n = light_samples.
+  const EyeSubpaths& eye() const { return eye_; }
+  const LightSubpaths& light() const { return light_; }
+  const LightPool& light_pool() const { return *pool_; }
+  // For choices of a plan that belong to no subpath.
+  uint64_t seed() const { return seed_; }
+  Four draw_eye(uint32_t sample, uint32_t vertex, Purpose purpose) const {
+    return engine_.draw(eye_.streams[sample], vertex, purpose);
+  }
+  // s >= 2, t >= 2; y is one of as many as `count` says that z meets. False where the two make no path.
+  // light: what y's links point into.
+  void connect(const Vertex& y, const Vertex& z, uint32_t sample, float count, const LightSubpaths& light);
   // Tests the connections made so far, when there are many; plans call it between samples.
   void flush_if_full();
 
@@ -66,8 +89,13 @@ class Block {
     float direct;
     uint32_t vertex;  // the last vertex; kNoVertex for y_0 and z_0
     uint32_t count;   // vertices so far
-    uint32_t sample;
+    uint32_t sample;  // number of the subpath within its side
     bool eye, specular, infinite, start_hittable, start_finite;
+  };
+  // A vertex that was just made.
+  struct Arrival {
+    uint32_t vertex, sample;
+    bool eye;
   };
   struct Connection {
     Rgb contribution;
@@ -80,9 +108,10 @@ class Block {
     double eye_at_y = 0, eye_before_y = 0;      // x_{s-1} and x_{s-2} by the eye's side
   };
 
-  void start(uint64_t pass, const BlockRect& rect);
+  void start(size_t eyes, size_t lights);
+  void start_eyes(uint64_t pass, const BlockRect& rect);
   void start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t sample);
-  void start_light(uint64_t pass, uint64_t number, uint32_t sample);
+  void start_light(uint64_t pass, uint64_t number, uint32_t light);
   void extend();
   void trace();
   void push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from);
@@ -91,6 +120,13 @@ class Block {
   void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
   void hit_light(const Walker& walker, const Vertex& z, const LightPoint& x0, const Rgb& radiance);
   void continue_walk(const Walker& walker, Vertex& vertex, uint32_t index);
+  void connect_ends();
+  // s = 1: joins z to a fresh light vertex.
+  void connect_to_light(const Vertex& z, uint32_t sample);
+  // t = 1: joins y to a fresh sensor vertex.
+  void connect_to_sensor(const Vertex& y, uint32_t light);
+  // (1,1): joins y_0 to a fresh sensor vertex.
+  void connect_start_to_sensor(uint32_t light);
   void shadow();
   void accumulate();
 
@@ -101,14 +137,20 @@ class Block {
                        const FilmPosition& film = {0, 0});
   // The weight by the plain loop; y or z is nullptr where that side has fewer than two vertices.
   float path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge, PathVertex start_light,
-                    PathVertex start_eye, double direct, bool s0_exists, bool corner_exists);
+                    PathVertex start_eye, double direct, bool s0_exists, bool corner_exists,
+                    const LightSubpaths& light);
 
   const Engine& engine_;
-  SubpathPool pool_;
+  EyeSubpaths eye_;
+  LightSubpaths light_;
+  const LightPool* pool_ = nullptr;
+  bool measures_ = true;  // a pilot does not
+  uint64_t seed_ = 0;
   std::vector<Rgb> eye_sums_;
   std::vector<Walker> walkers_, next_walkers_;
   std::vector<Ray> rays_, next_rays_;
   std::vector<Hit> hits_;
+  std::vector<Arrival> arrivals_;
   std::vector<Ray> shadow_rays_;
   std::vector<Connection> connections_;
   std::vector<uint8_t> blocked_;

@@ -14,7 +14,7 @@ Ray between(const Vec3& a, const Vec3& b) { return {a, 1, b - a}; }
 
 }  // namespace
 
-void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample) {
+void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float count, const LightSubpaths& light) {
   ++stats_.connections;
   const Vec3 edge = z.p - y.p;
   const float d2 = length_squared(edge);
@@ -29,22 +29,22 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample) {
   float weight = 1;
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
-    weight = h.weight(at_z.next * geometry / y.density * h.combine(y.technique, at_y.previous * y.sums),
-                      at_y.next * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums));
+    const float edge = geometry / engine_.counts.connections;
+    weight = h.weight(at_z.next * edge / y.density * h.combine(y.technique, at_y.previous * y.sums),
+                      at_y.next * edge / z.density * h.combine(z.technique, at_z.previous * z.sums));
   } else if (!engine_.unweighted) {
     const Edge e{at_y.next * geometry, at_z.previous * z.geometry, at_z.next * geometry, at_y.previous * y.geometry};
-    weight = path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite);
+    weight = path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite, light);
   }
-  c *= weight;
+  c *= weight / count;
   if (is_black(c)) return;
-  push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count,
-                  z.count);
+  push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count, z.count);
 }
 
 void Block::connect_to_light(const Vertex& z, uint32_t sample) {
   ++stats_.connections;
   const Lights& lights = engine_.scene.lights();
-  const Four u = engine_.draw(pool_.eye_streams[sample], z.count, Purpose::Connect);
+  const Four u = engine_.draw(eye_.streams[sample], z.count, Purpose::Connect);
   DirectLight light;
   if (!lights.sample_direct(z.p, u.u, light)) return;
   const LightPoint& y0 = light.y0;
@@ -65,15 +65,17 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
     if (engine_.running_sums) {
       // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
       const PowerHeuristic& h = engine_.heuristic;
-      const float s0 = engine_.classes.s0 && hittable ? at_z.next * geometry / light.density : 0;
+      const float density = light.density * engine_.counts.direct;
+      const float s0 = hittable ? engine_.classes.s0 * at_z.next * geometry / density : 0;
       const float others = direction * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums);
-      weight = h.weight(s0, others * (position / light.density));
+      weight = h.weight(s0, others * (position / density));
     } else {
       Edge e;
       e.light_at_z = direction * geometry;
       e.light_before_z = at_z.previous * z.geometry;
       const PathVertex start{position, at_z.next * geometry, false};
-      weight = path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite);
+      weight =
+          path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite, light_);
     }
   }
   c *= weight;
@@ -82,13 +84,12 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
   if (y0.infinite)
     push_connection({from, kInfinity, w}, c, sample, 1, z.count);
   else
-    push_connection(between(from, off_surface(y0, -w)), c, sample, 1,
-                    z.count);
+    push_connection(between(from, off_surface(y0, -w)), c, sample, 1, z.count);
 }
 
-void Block::connect_to_sensor(const Vertex& y, uint32_t sample) {
+void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   ++stats_.connections;
-  const Four u = engine_.draw(pool_.light_streams[sample], y.count, Purpose::Connect);
+  const Four u = engine_.draw(light_.streams[light], y.count, Purpose::Connect);
   SensorPoint z0;
   if (!engine_.sensor.sample_toward(y.p, u.u, engine_.bounds, z0)) return;
   const Vec3 edge = z0.p - y.p;
@@ -104,26 +105,28 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t sample) {
   float weight = 1;
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
-    const float t0 = engine_.classes.t0 ? at_y.next * geometry / z0.density_position : 0;
-    weight = h.weight(z0.density_direction * geometry / y.density * h.combine(y.technique, at_y.previous * y.sums), t0);
+    const float edge = geometry / engine_.counts.light;
+    weight = h.weight(z0.density_direction * edge / y.density * h.combine(y.technique, at_y.previous * y.sums),
+                      engine_.classes.t0 * at_y.next * edge / z0.density_position);
   } else if (!engine_.unweighted) {
     Edge e;
     e.eye_at_y = z0.density_direction * geometry;
     e.eye_before_y = at_y.previous * y.geometry;
     const PathVertex end{at_y.next * geometry, z0.density_position, false};
-    weight = path_weight(&y, nullptr, y.count, 1, e, {}, end, y.direct, y.start_hittable, y.start_finite);
+    weight = path_weight(&y, nullptr, y.count, 1, e, {}, end, y.direct, y.start_hittable, y.start_finite, light_);
   }
-  c *= weight;
+  c *= weight / engine_.counts.light;
   if (is_black(c)) return;
-  push_connection(between(off_surface(y, w), z0.p), c, sample, y.count, 1, z0.film);
+  push_connection(between(off_surface(y, w), z0.p), c, light, y.count, 1, z0.film);
 }
 
-void Block::connect_start_to_sensor(uint32_t sample) {
-  const LightStart& start = pool_.light_starts[sample];
+void Block::connect_start_to_sensor(uint32_t light) {
+  const LightStart& start = light_.starts[light];
+  if (start.y0.light < 0) return;  // a scene without light
   const LightPoint& y0 = start.y0;
   if (y0.infinite) return;  // a light without a point is seen by s = 0 alone
   ++stats_.connections;
-  const Four u = engine_.draw(pool_.light_streams[sample], 1, Purpose::Connect);
+  const Four u = engine_.draw(light_.streams[light], 1, Purpose::Connect);
   SensorPoint z0;
   if (!engine_.sensor.sample_toward(y0.p, u.u, engine_.bounds, z0)) return;
   const Vec3 edge = z0.p - y0.p;
@@ -141,22 +144,22 @@ void Block::connect_start_to_sensor(uint32_t sample) {
   const float light_at_z0 = lights.direction_density(y0, w) * geometry;
   const float eye_at_y0 = z0.density_direction * geometry;
   if (engine_.running_sums) {
-    const float s0 = engine_.classes.s0 && y0.has_area ? eye_at_y0 / start.density_position : 0;
-    const float t0 = engine_.classes.t0 ? light_at_z0 / z0.density_position : 0;
-    weight = engine_.heuristic.weight(s0, t0);
+    const float s0 = y0.has_area ? engine_.classes.s0 * eye_at_y0 / start.density_position : 0;
+    const float t0 = engine_.classes.t0 * light_at_z0 / z0.density_position;
+    weight = engine_.heuristic.weight(s0 / engine_.counts.light, t0 / engine_.counts.light);
   } else if (!engine_.unweighted) {
     weight = path_weight(nullptr, nullptr, 1, 1, {}, {start.density_position, eye_at_y0, false},
-                         {light_at_z0, z0.density_position, false}, 1, y0.has_area, true);
+                         {light_at_z0, z0.density_position, false}, 1, y0.has_area, true, light_);
   }
-  c *= weight;
+  c *= weight / engine_.counts.light;
   if (is_black(c)) return;
   const Vec3 from = off_surface(y0, w);
-  push_connection(between(from, z0.p), c, sample, 1, 1, z0.film);
+  push_connection(between(from, z0.p), c, light, 1, 1, z0.film);
 }
 
 float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,
                          PathVertex start_light, PathVertex start_eye, double direct, bool s0_exists,
-                         bool corner_exists) {
+                         bool corner_exists, const LightSubpaths& light_subpaths) {
   path_.resize(s + t);
   // Each subpath from its end to its start. What the connecting edge decides comes first; the rest was stored when the
   // subpath was made.
@@ -170,7 +173,7 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
         path_[i - 1] = {y->previous_density, eye, false};
         break;
       }
-      y = &pool_.light[y->previous_index];
+      y = &light_subpaths.vertices[y->previous_index];
       eye_before = y->previous_reverse;
     }
   }
@@ -185,11 +188,12 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
         path_[i + 1] = {light, z->previous_density, false};
         break;
       }
-      z = &pool_.eye[z->previous_index];
+      z = &eye_.vertices[z->previous_index];
       light_before = z->previous_reverse;
     }
   }
-  PathTechniques path{path_.data(), int(path_.size()), direct, s0_exists, engine_.sensor.is_hittable(), corner_exists};
+  PathTechniques path{path_.data(),  int(path_.size()), direct, s0_exists, engine_.sensor.is_hittable(),
+                      corner_exists, engine_.counts};
   return float(reference_weight(path, int(s), engine_.options));
 }
 

@@ -1,5 +1,7 @@
 #include "transport/engine.h"
 
+#include "transport/plan.h"
+
 namespace bdpt {
 
 namespace {
@@ -14,13 +16,19 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
       options(options_),
       bounds(film_.sample_bounds()),
       seed(seed_),
+      plan(options_.plan ? *options_.plan : *kPlans[0]),
       heuristic(options_.heuristic == Heuristic::Balance ? 1 : options_.beta) {
   // What cannot be: a sensor that light cannot hit, a scene whose lights cannot be hit.
   for (uint32_t& row : options.techniques.rows)
     if (!sensor.is_hittable()) row &= ~1u;
   if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
+  for (int s = 0; s < 32; ++s)
+    for (int t = 0; t < 32; ++t)
+      if (!plan.serves(s, t)) options.techniques.rows[size_t(s)] &= ~(1u << t);
 
-  const bool structured = TechniqueClasses::from_mask(options.techniques, classes);
+  pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
+  counts = plan.counts(options, 1);
+  const bool structured = TechniqueClasses::from_mask(options.techniques, counts, classes);
   unweighted = options.heuristic == Heuristic::None;
   running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
 
@@ -39,24 +47,40 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   if (scene.lights().empty()) max_eye = max_light = 0;
 }
 
+void Engine::set_counts(double light_vertices) {
+  counts = plan.counts(options, light_vertices);
+  TechniqueClasses::from_mask(options.techniques, counts, classes);
+}
+
+FilmRecipe Engine::recipe() const {
+  const uint64_t all = hash_values(sensor.hash(), film.desc().hash(), options.hash());
+  return {seed, scene.info().hash, all, samples_per_pass(), pool_passes};
+}
+
+PassInGroup Engine::in_group(uint64_t pass) const {
+  const uint64_t groups = uint64_t(film.desc().groups), pool = pass / pool_passes;
+  return {pool % groups, pool / groups * pool_passes + pass % pool_passes};
+}
+
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
-  const uint64_t groups = uint64_t(film.desc().groups);
-  return Stream(hash_values(seed, 1, pass % groups, number, (pass / groups) >> 32), uint32_t(pass / groups));
+  const PassInGroup p = in_group(pass);
+  return Stream(hash_values(seed, 1, p.group, number, p.index >> 32), uint32_t(p.index));
 }
 
 Stream Engine::light_stream(uint64_t pass, uint64_t number) const {
-  const uint64_t groups = uint64_t(film.desc().groups);
-  const uint64_t index = (pass / groups) * samples_per_pass() + number;
-  return Stream(hash_values(seed, 2, pass % groups, index >> 32), uint32_t(index));
+  if (pass == kPilotPass) return Stream(hash_values(seed, 4), uint32_t(number));
+  const PassInGroup p = in_group(pass);
+  const uint64_t index = p.index * light_per_pass() + number;
+  return Stream(hash_values(seed, 2, p.group, index >> 32), uint32_t(index));
 }
 
 Four Engine::draw_film(const Stream& stream, uint64_t pass, uint64_t number) const {
   Four u = draw(stream, 0, Purpose::Start);
   if (options.sampler == SamplerType::Stratified) {
     const uint32_t n = uint32_t(options.strata), cells = n * n;
-    const uint64_t groups = uint64_t(film.desc().groups), point = pass / groups;
-    const uint64_t order = hash_values(seed, 3, pass % groups, number, point / cells);
-    const uint32_t cell = permute(uint32_t(point % cells), cells, uint32_t(order));
+    const PassInGroup p = in_group(pass);
+    const uint64_t order = hash_values(seed, 3, p.group, number, p.index / cells);
+    const uint32_t cell = permute(uint32_t(p.index % cells), cells, uint32_t(order));
     const uint32_t column = cell % n, row = cell / n;
     u.u[0] = std::min((float(column) + u.u[0]) / float(n), 0x1.fffffep-1f);
     u.u[1] = std::min((float(row) + u.u[1]) / float(n), 0x1.fffffep-1f);

@@ -21,6 +21,14 @@ class RayRecorder {
   virtual void record(const Ray* rays, size_t count, bool shadow) = 0;
 };
 
+// The pass of the pilot's subpaths: they share no number with any other.
+inline constexpr uint64_t kPilotPass = ~0ull;
+
+// A pass among those of its group.
+struct PassInGroup {
+  uint64_t group, index;
+};
+
 struct Engine {
   const Scene& scene;
   const Sensor& sensor;
@@ -30,6 +38,8 @@ struct Engine {
   uint64_t seed;
 
   // What follows from the options.
+  const Plan& plan;
+  SampleCounts counts;
   TechniqueClasses classes;
   bool running_sums;  // else reference_weight()
   PowerHeuristic heuristic;
@@ -41,10 +51,19 @@ struct Engine {
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
   bool allows(uint32_t s, uint32_t t) const { return options.techniques.allows(int(s), int(t)); }
+  // Else subpaths leave nothing behind but their front end.
+  bool keeps_vertices() const { return !running_sums || classes.inner > 0; }
+  uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
+  uint64_t pool_passes;  // passes that come together, in one pool
   uint64_t samples_per_pass() const { return bounds.count(); }
+  uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
+  FilmRecipe recipe() const;
+  // For plans whose counts depend on what a pilot finds.
+  void set_counts(double light_vertices);
 
-  // The streams of random numbers of sample `number` of a pass. Passes fall into independently scrambled groups;
-  // an eye subpath's points belong to its pixel, a light subpath's to the whole pass.
+  // The streams of random numbers of eye or light subpath `number` of a pass. Passes fall into independently scrambled
+  // groups; an eye subpath's points belong to its pixel, a light subpath's to the whole pass.
+  PassInGroup in_group(uint64_t pass) const;
   Stream eye_stream(uint64_t pass, uint64_t number) const;
   Stream light_stream(uint64_t pass, uint64_t number) const;
   Four draw(const Stream& stream, uint32_t vertex, Purpose purpose) const {

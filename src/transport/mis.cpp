@@ -1,8 +1,10 @@
 #include "transport/mis.h"
 
 #include "sampling/hash.h"
+#include "transport/plan.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 namespace bdpt {
@@ -12,19 +14,26 @@ uint64_t TransportOptions::hash() const {
                            uniform_light_start, roulette_start);
   h = hash_bytes(techniques.rows.data(), sizeof(techniques.rows), h);
   const float numbers[] = {heuristic == Heuristic::Power ? beta : 0, heuristic == Heuristic::Cutoff ? cutoff : 0};
-  return hash_bytes(numbers, sizeof(numbers), h);
+  h = hash_bytes(numbers, sizeof(numbers), h);
+  if (plan && plan != kPlans[0]) h = hash_bytes(plan->name, std::strlen(plan->name), h);
+  if (connections != 0 || light_samples != 1 || pool_passes != 0)
+    h = hash_values(h, connections, light_samples, pool_passes);
+  if (order != Order::Metric || partners != Partners::Sobol) h = hash_values(h, int(order), int(partners));
+  return h;
 }
 
-bool TechniqueClasses::from_mask(const TechniqueMask& mask, TechniqueClasses& c) {
+bool TechniqueClasses::from_mask(const TechniqueMask& mask, const SampleCounts& counts, TechniqueClasses& c) {
   // Paths of one edge share no technique with others: (0,2) and (2,0) may be off together with (1,1).
   const bool one_edge = mask.allows(0, 2) || mask.allows(1, 1) || mask.allows(2, 0);
-  c.s0 = mask.allows(0, 3), c.s1 = mask.allows(1, 2), c.t0 = mask.allows(3, 0), c.t1 = mask.allows(2, 1);
-  c.corner = mask.allows(1, 1), c.inner = mask.allows(2, 2);
+  const auto count = [&](int s, int t) { return mask.allows(s, t) ? counts.of(s, t) : 0; };
+  c.s0 = count(0, 3), c.s1 = count(1, 2), c.t0 = count(3, 0), c.t1 = count(2, 1);
+  c.corner = count(1, 1), c.inner = count(2, 2);
   for (int i = 2; i < 32; ++i) {
-    if (mask.allows(1, i) != c.s1 || mask.allows(i, 1) != c.t1) return false;
-    if ((one_edge || i > 2) && (mask.allows(0, i) != c.s0 || mask.allows(i, 0) != c.t0)) return false;
+    if (mask.allows(1, i) != mask.allows(1, 2) || mask.allows(i, 1) != mask.allows(2, 1)) return false;
+    if ((one_edge || i > 2) && (mask.allows(0, i) != mask.allows(0, 3) || mask.allows(i, 0) != mask.allows(3, 0)))
+      return false;
     for (int j = 2; j < 32; ++j)
-      if (mask.allows(i, j) != c.inner) return false;
+      if (mask.allows(i, j) != mask.allows(2, 2)) return false;
   }
   return true;
 }
@@ -52,7 +61,7 @@ double reference_weight(const PathTechniques& path, int s, const TransportOption
   // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
   if (techniques > 2 && path.count > 2) p[1] *= path.direct;
   for (int i = 0; i < techniques; ++i)
-    if (!exists(path, options.techniques, i)) p[size_t(i)] = 0;
+    p[size_t(i)] *= exists(path, options.techniques, i) ? double(path.counts.of(i, techniques - 1 - i)) : 0;
   const double own = p[size_t(s)];
   if (!(own > 0)) return 0;
   for (double& v : p) v /= own;

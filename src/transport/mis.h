@@ -1,20 +1,21 @@
 // All of the weights' arithmetic (Veach 9.2 and 10.2).
 //
-// The weight of technique s for a path needs the ratios p_i / p_s of all techniques i = 0 ... k+1. By (10.9)
+// The weight of technique s for a path needs the ratios p_i / p_s of all techniques i = 0 ... k+1, each p_i times the
+// number n_i of samples that its technique takes (9.2). By (10.9)
 //   p_i / p_{i+1} = other(x_i) / own(x_i)      seen from the light's side, i < s
 // with own(x) and other(x) the densities per area with which the light's and the eye's side sample x; and alike with
 // the sides exchanged for i > s. Each side's techniques give a norm of ratios
-//   S = ( sum_i (p_i / p_s)^beta )^(1/beta),
-// and the power heuristic is w = 1 / (1 + S_L^beta + S_E^beta). Norms, not sums of powers: whatever beta, the numbers
-// stay within the range of a float.
+//   S = ( sum_i (n_i p_i / p_s)^beta )^(1/beta),
+// and the power heuristic is w = 1 / (1 + (S_L / n_s)^beta + (S_E / n_s)^beta). Norms, not sums of powers: whatever
+// beta, the numbers stay within the range of a float.
 //
 // S is had in constant time from two numbers kept at each vertex. With i the number of the vertex within its subpath
 // (y_i or z_i), || || the beta-norm and rev the projected density of sampling x_{i-1} from x_i, given x_{i+1}:
 //   S_{i+1} = other(x_i) / own(x_i) || u_i, rev v_i ||
 //   v_i     = G(x_i, x_{i-1}) / own(x_{i-1}) || u_{i-1}, rev_{i-1} v_{i-1} ||
-//   u_i     = 1 if the technique with i vertices of this side exists, else 0.
+//   u_i     = n_i if the technique with i vertices of this side exists, else 0.
 // It does not exist when x_{i-1} or x_i is specular (10.3.5) or when it is masked. u_1 of the light's side, the
-// technique s = 1, is P_A^d(y_0) / P_A(y_0) by 10.3.4.2.
+// technique s = 1, is n_1 P_A^d(y_0) / P_A(y_0) by 10.3.4.2.
 #pragma once
 
 #include "transport/options.h"
@@ -52,13 +53,22 @@ class PowerHeuristic {
   int kind_;
 };
 
-// Which techniques exist, for the running sums: they cannot tell one technique between the ends from another.
+// n_{s,t}: how many samples each technique takes for one eye subpath. A plan's word.
+struct SampleCounts {
+  float light = 1;        // light subpaths: (s,0), (s,1)
+  float direct = 1;       // fresh light vertices at each eye vertex: (1,t)
+  float connections = 1;  // light vertices y_{s-1} met by each eye vertex: (s,t) with both >= 2
+  float of(int s, int t) const { return t <= 1 ? light : s == 0 ? 1 : s == 1 ? direct : connections; }
+};
+
+// The same by classes of techniques, for the running sums: they cannot tell one technique between the ends from
+// another. 0 where a class does not take part.
 struct TechniqueClasses {
-  bool s0 = true, s1 = true, t0 = true, t1 = true;  // (0,t), (1,t), (s,0), (s,1) with the other count >= 2
-  bool corner = true;                               // (1,1)
-  bool inner = true;                                // (s,t) with both >= 2
+  float s0 = 1, s1 = 1, t0 = 1, t1 = 1;  // (0,t), (1,t), (s,0), (s,1) with the other count >= 2
+  float corner = 1;                      // (1,1)
+  float inner = 1;                       // (s,t) with both >= 2
   // True if the mask says the same of every technique within each class.
-  static bool from_mask(const TechniqueMask& mask, TechniqueClasses& classes);
+  static bool from_mask(const TechniqueMask& mask, const SampleCounts& counts, TechniqueClasses& classes);
 };
 
 // One vertex of a whole path, for the reference below.
@@ -76,6 +86,7 @@ struct PathTechniques {
   int count;  // k + 1
   double direct = 1;
   bool s0_exists = true, t0_exists = true, corner_exists = true;
+  SampleCounts counts{};
 };
 double reference_weight(const PathTechniques& path, int s, const TransportOptions& options);
 

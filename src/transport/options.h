@@ -17,7 +17,19 @@ struct TechniqueMask {
   bool operator==(const TechniqueMask&) const = default;
 };
 
+struct Plan;  // plan.h
+
+// By what the matrix plan puts subpaths in order, and how it chooses partners in that order.
+enum class Order { Metric, Hilbert, None };
+enum class Partners { Sobol, LatinHypercube };
+
 struct TransportOptions {
+  const Plan* plan = nullptr;  // nullptr = one to one
+  int connections = 0;    // light vertices that an eye vertex meets, where the plan lets choose; 0 = its own number
+  int light_samples = 1;  // light subpaths for each eye subpath
+  int pool_passes = 0;    // passes that the plan takes at once, where it does; 0 = its own number
+  Order order = Order::Metric;
+  Partners partners = Partners::Sobol;
   int max_edges = 0;  // longest path k; 0 = no limit
   TechniqueMask techniques;
   Heuristic heuristic = Heuristic::Power;

@@ -1,11 +1,34 @@
-// Connection plans: which light vertices meet which eye vertices.
+// Connection plans: which light vertices meet which eye vertices. All else of the algorithms of this family is shared:
+// a plan is one file in plans/ and one line in the table of plan.cpp. docs/plans.md shows how to add one.
 #pragma once
 
 #include "transport/block.h"
 
 namespace bdpt {
 
-// Veach's own: the i-th eye with the i-th light subpath of the block, every prefix with every suffix (10.1).
-void plan_one_to_one(Block& block);
+struct Plan {
+  const char* name;
+  const char* summary;  // one line, for lists
+
+  // Which of the techniques asked for it does; the weights know of no others.
+  bool (*serves)(int s, int t);
+  // n_{s,t}; light_vertices: the mean number of vertices of a light subpath that can be joined, by the pilot.
+  SampleCounts (*counts)(const TransportOptions& options, double light_vertices);
+  // Joins the eye subpaths of a block to light vertices, s >= 2 and t >= 2. All else is done before.
+  void (*connect)(Block& block);
+
+  bool pooled = false;          // eye vertices meet the light vertices of the whole pass: needs a LightPool
+  int default_connections = 0;  // light vertices met by an eye vertex, where `connections` chooses them; else 0
+  uint32_t block_size = 0;      // pixels; 0 = the plan's result does not depend on it
+  uint64_t passes = 1;          // passes that a block takes at once, unless pool_passes says otherwise
+};
+
+// Ends with nullptr.
+extern const Plan* const kPlans[];
+const Plan* find_plan(const char* name);  // nullptr if there is none
+const Plan* plan_at(size_t index);        // nullptr past the last
+
+// For plans that do all.
+inline bool serves_all(int, int) { return true; }
 
 }  // namespace bdpt

@@ -132,6 +132,12 @@ class RenderCommand {
     desc.beta = options_.beta;
     desc.cutoff = options_.cutoff;
     desc.sampler = options_.sampler;
+    desc.plan = plan_name(options_);
+    desc.connections = options_.connections;
+    desc.light_samples = options_.light_samples;
+    desc.pool_passes = options_.pool_passes;
+    desc.order = options_.order;
+    desc.partners = options_.partners;
     return desc;
   }
 

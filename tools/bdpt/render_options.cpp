@@ -15,6 +15,10 @@ constexpr std::uint64_t kDefaultSamples = 64;
 const std::map<std::string, bdpt_heuristic> kHeuristics = {
     {"power", BDPT_HEURISTIC_POWER},     {"balance", BDPT_HEURISTIC_BALANCE}, {"cutoff", BDPT_HEURISTIC_CUTOFF},
     {"maximum", BDPT_HEURISTIC_MAXIMUM}, {"average", BDPT_HEURISTIC_AVERAGE}, {"none", BDPT_HEURISTIC_NONE}};
+const std::map<std::string, bdpt_order> kOrders = {
+    {"metric", BDPT_ORDER_METRIC}, {"hilbert", BDPT_ORDER_HILBERT}, {"none", BDPT_ORDER_NONE}};
+const std::map<std::string, bdpt_partners> kPartners = {{"sobol", BDPT_PARTNERS_SOBOL},
+                                                        {"latin-hypercube", BDPT_PARTNERS_LATIN_HYPERCUBE}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -24,6 +28,19 @@ const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
                                                      {"blackman-harris", BDPT_FILTER_BLACKMAN_HARRIS}};
 const std::map<std::string, bdpt_normalization> kNormalizations = {
     {"weights", BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED}, {"count", BDPT_NORMALIZATION_SAMPLE_COUNT}};
+
+// path and light are sets of techniques; all else are plans, and the first of them is the default.
+std::vector<std::string> integrators() {
+  std::vector<std::string> names = {"path", "light", "bdpt"};
+  for (std::uint32_t i = 1; bdpt_plan_name(i); ++i) names.push_back(bdpt_plan_name(i));
+  return names;
+}
+std::string plan_list() {
+  std::string text = bdpt_plan_summary(0);
+  for (std::uint32_t i = 1; bdpt_plan_name(i); ++i)
+    text += std::string(". ") + bdpt_plan_name(i) + ": " + bdpt_plan_summary(i);
+  return text;
+}
 
 void add_output_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.output, "The picture, OpenEXR, with a layer 'variance'")->required();
@@ -51,8 +68,23 @@ void add_limit_options(CLI::App& command, RenderOptions& options) {
 
 void add_method_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--max-edges", options.max_edges, "Longest path, k edges; 0 = no limit (default: maxdepth + 1)");
-  command.add_option("--integrator", options.integrator, "path, light or bdpt (default bdpt, whatever the file names)")
-      ->check(CLI::IsMember({"path", "light", "bdpt"}));
+  command
+      .add_option(
+          "--integrator", options.integrator,
+          "Default bdpt, whatever the file names. path: path tracing. light: light tracing. bdpt: " + plan_list())
+      ->check(CLI::IsMember(integrators()))
+      ->type_name("NAME");
+  command
+      .add_option("--connections", options.connections, "Light vertices that each eye vertex meets (pooled, matrix)")
+      ->check(positive());
+  command.add_option("--pool-passes", options.pool_passes, "Passes that matrix takes at once (default 8)")
+      ->check(positive());
+  add_choice(command, "--order", options.order, kOrders,
+             "Order of subpaths in matrix: metric (default), hilbert, none");
+  add_choice(command, "--partners", options.partners, kPartners,
+             "How matrix chooses partners: sobol (default) or latin-hypercube");
+  command.add_option("--light-samples", options.light_samples, "Light subpaths for each eye subpath (default 1)")
+      ->check(positive());
   command.add_option("--techniques", options.techniques, kTechniqueMaskHelp)
       ->excludes("--integrator")
       ->type_name("MASK");
@@ -119,6 +151,12 @@ TechniqueMask technique_mask(const RenderOptions& options) {
   if (options.integrator == "path") return parse_technique_mask("s<=1&t>=2");
   if (options.integrator == "light") return parse_technique_mask("t<=1");
   return parse_technique_mask("all");
+}
+
+const char* plan_name(const RenderOptions& options) {
+  for (std::uint32_t i = 1; bdpt_plan_name(i); ++i)
+    if (options.integrator == bdpt_plan_name(i)) return bdpt_plan_name(i);
+  return nullptr;
 }
 
 }  // namespace bdpt_tool

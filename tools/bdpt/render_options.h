@@ -25,6 +25,9 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   std::optional<std::uint32_t> width, height, max_edges;
   std::string integrator, techniques;
+  std::uint32_t connections = 0, light_samples = 0, pool_passes = 0;  // 0 = the default
+  bdpt_order order = BDPT_ORDER_METRIC;
+  bdpt_partners partners = BDPT_PARTNERS_SOBOL;
   bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
   float beta = 0, cutoff = 0;
   bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
@@ -48,5 +51,7 @@ PassRange pass_range(const RenderOptions& options, std::optional<std::uint32_t> 
 
 // From --techniques or --integrator; all by default. Throws an Error of kUsage.
 TechniqueMask technique_mask(const RenderOptions& options);
+// The connection plan that --integrator names; the default where it names techniques.
+const char* plan_name(const RenderOptions& options);
 
 }  // namespace bdpt_tool
