@@ -12,7 +12,8 @@ constexpr double kPbrtPasses = 16;
 }  // namespace
 
 std::optional<Verdict> judge_replay(const SceneResult& scene, const IntegratorResult& result) {
-  const bool set = (scene.name == "veach-bidir" || scene.name == "veach-ajar") && (result.name == "path" || result.name == "bdpt");
+  const bool set =
+      (scene.name == "veach-bidir" || scene.name == "veach-ajar") && (result.name == "path" || result.name == "bdpt");
   if (!set) return std::nullopt;
   return Verdict{"replay_ratio", result.replay_ratio, 2, true};
 }

@@ -669,9 +669,10 @@ BDPT_API const char *bdpt_plan_name(uint32_t index);
 BDPT_API const char *bdpt_plan_summary(uint32_t index);
 
 /* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options
- * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique that the sensor cannot serve (t = 0 with a pinhole) or
- * the plan does not do is dropped, the weights know of it, and the log says so. Pooled plans trace some light subpaths
- * at once, which count in the statistics, and book their pool's memory.
+ * and seed; it then goes on, and passes that it holds already are not rendered again. desc may be NULL. A technique
+ * that the sensor cannot serve (t = 0 with a pinhole) or the plan does not do is dropped, the weights know of it, and
+ * the log says so. Pooled plans trace some light subpaths at once, which count in the statistics, and book their pool's
+ * memory.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MISMATCH, _IN_USE (the film is in another render), _MEMORY_LIMIT,
  * _OUT_OF_MEMORY. Threads: any thread. Callbacks: not for a film in use. Ownership: the caller destroys the render; it
  * keeps scene, sensor and film alive. */

@@ -23,7 +23,7 @@ bool is_all(const uint32_t techniques[32]) {
 }
 
 const Plan* read_plan(const Subject& subject, const char* name) {
-  if (!name) return nullptr;
+  if (!name) return kPlans[0];
   if (const Plan* plan = find_plan(name)) return plan;
   std::string names;
   for (const Plan* const* p = kPlans; *p; ++p) names += std::string(names.empty() ? "" : ", ") + (*p)->name;
@@ -50,7 +50,7 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.uniform_light_start = desc.light_start == BDPT_LIGHT_START_UNIFORM;
   options.plan = read_plan(subject, desc.plan);
   subject.check_range("connections", desc.connections, 0, kMaxConnections);
-  const Plan& plan = options.plan ? *options.plan : *kPlans[0];
+  const Plan& plan = *options.plan;
   if (desc.connections != 0 && plan.default_connections == 0)
     subject.refuse("connections", "is ", desc.connections, ", but the plan ", plan.name,
                    " does not choose among light vertices: give 0, or another plan");
@@ -92,11 +92,12 @@ void check_fit(const bdpt_scene& scene, const bdpt_sensor& sensor, const bdpt_fi
 }
 
 // Told only to hosts that asked for a technique in so many words: with "all" nobody expects what cannot be.
-void report_dropped(const Log& log, const bdpt_render_desc& desc, const Sensor& sensor, const Plan* plan) {
+void report_dropped(const Log& log, const bdpt_render_desc& desc, const Sensor& sensor, const Plan& plan) {
   if (is_all(desc.techniques)) return;
-  if (plan && !plan->serves(2, 2) &&
-      std::any_of(desc.techniques + 2, desc.techniques + 32, [](uint32_t row) { return (row & ~3u) != 0; }))
-    log.info("the techniques with s >= 2 and t >= 2 are dropped: the plan two-way does none of them");
+  bool unserved = false;
+  for (int s = 0; s < 32; ++s)
+    for (int t = 0; t < 32; ++t) unserved = unserved || ((desc.techniques[s] >> t & 1u) && !plan.serves(s, t));
+  if (unserved) log.info("the techniques that the plan ", plan.name, " does not do are dropped");
   if (sensor.is_hittable()) return;
   const bool asked = std::any_of(desc.techniques + 2, desc.techniques + 32, [](uint32_t row) { return row & 1u; });
   if (asked) log.info("the techniques with t = 0 are dropped: no light path can hit a pinhole");
@@ -130,7 +131,7 @@ bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film
     object->film = Ref<bdpt_film>(film);
     object->render = std::make_unique<Render>(scene->scene, sensor->sensor, film->film, scene->context->executor,
                                               scene->context->meter, options);
-    report_dropped(*scene->context->log, d, *sensor->sensor, options.transport.plan);
+    report_dropped(*scene->context->log, d, *sensor->sensor, *options.transport.plan);
     *render = object.release();
   });
 }

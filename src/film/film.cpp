@@ -131,7 +131,7 @@ void Film::add_technique_sample(int s, int t, const FilmPosition& film, const Rg
 
 void Film::end_pass(uint64_t pass, int row_begin, int row_end) {
   const size_t first = size_t(row_begin) * size_t(desc_.width), last = size_t(row_end) * size_t(desc_.width);
-  PixelSums* group = sums_.data() + size_t(recipe_.group(pass, desc_.groups)) * pixels();
+  PixelSums* group = sums_.data() + size_t(pass_in_group(pass, recipe_.pool_passes, desc_.groups).group) * pixels();
   for (size_t i = first; i < last; ++i) {
     for (int c = 0; c < 3; ++c) {
       group[i].eye[c].add(pass_[i].eye[c]);

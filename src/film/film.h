@@ -30,10 +30,17 @@ struct FilmRecipe {
   uint64_t seed = 0, scene_hash = 0, options_hash = 0;
   uint64_t samples_per_pass = 0;  // N of Veach (10.10): light subpaths, and eye subpaths, of a pass
   uint64_t pool_passes = 1;       // passes come so many at a time: [0, n), [n, 2n) ...
-  // Passes fall into independently scrambled groups.
-  uint64_t group(uint64_t pass, int groups) const { return (pass / pool_passes) % uint64_t(groups); }
   bool operator==(const FilmRecipe&) const = default;
 };
+
+// Passes fall into independently scrambled groups, a pool's together. The index counts the passes of a group.
+struct PassInGroup {
+  uint64_t group, index;
+};
+inline PassInGroup pass_in_group(uint64_t pass, uint64_t pool_passes, int groups) {
+  const uint64_t pool = pass / pool_passes, g = uint64_t(groups);
+  return {pool % g, pool / g * pool_passes + pass % pool_passes};
+}
 
 struct PassRange {
   uint64_t begin, end;  // [begin, end)

@@ -24,6 +24,13 @@ void sample_triangles(const Lights::AreaLight& a, double u, float u1, float u2, 
   y0.margin = t.margin;
 }
 
+// The point of a sphere where its normal is n.
+void place_on_sphere(const Lights::AreaLight& a, const Vec3& n, LightPoint& y0) {
+  y0.normal = n;
+  y0.p = a.center + n * a.radius;
+  y0.margin = margin_of_sphere(a.center, a.radius);
+}
+
 double power_of_area(const Lights::AreaLight& a) {
   return double(norm(a.radiance)) * kPi * a.area * (a.two_sided ? 2 : 1);
 }
@@ -109,9 +116,7 @@ bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart&
       const AreaLight& a = area(light);
       y0.has_area = true;
       if (a.is_sphere) {
-        y0.normal = sample_sphere(u[1], u[2]);
-        y0.p = a.center + y0.normal * a.radius;
-        y0.margin = margin_of_sphere(a.center, a.radius);
+        place_on_sphere(a, sample_sphere(u[1], u[2]), y0);
       } else {
         sample_triangles(a, u0, u[1], u[2], y0);
       }
@@ -173,12 +178,10 @@ bool Lights::sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, f
     const Vec3 w = Frame(to_center * (1 / std::sqrt(d2))).to_world(local);
     const float sin2 = 1 - local.z * local.z;
     const float t = std::sqrt(d2) * local.z - safe_sqrt(a.radius * a.radius - d2 * sin2);
-    y0.normal = unit(x + w * t - a.center);
+    place_on_sphere(a, unit(x + w * t - a.center), y0);
   } else {
-    y0.normal = sample_sphere(u0, u1);
+    place_on_sphere(a, sample_sphere(u0, u1), y0);
   }
-  y0.p = a.center + y0.normal * a.radius;
-  y0.margin = margin_of_sphere(a.center, a.radius);
   return true;
 }
 

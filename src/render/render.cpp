@@ -38,6 +38,13 @@ std::vector<BlockRect> make_blocks(const SampleBounds& bounds, uint32_t samples)
   return blocks;
 }
 
+void check_whole_pools(const Engine& engine, const char* field, uint64_t passes) {
+  const uint64_t n = engine.pool_passes;
+  if (passes % n != 0)
+    fail(ErrorCode::InvalidArgument, field, ": is ", passes, ", but the plan ", engine.plan.name, " takes ", n,
+         " passes at once: give a multiple of ", n);
+}
+
 }  // namespace
 
 // What advance() knows of its own call.
@@ -100,9 +107,7 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
   try {
     engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);
     const uint64_t n = engine_->pool_passes;
-    if (desc.first_pass % n != 0)
-      fail(ErrorCode::InvalidArgument, "first_pass: is ", desc.first_pass, ", but the plan ", engine_->plan.name,
-           " takes ", n, " passes at once: give a multiple of ", n);
+    check_whole_pools(*engine_, "first_pass", desc.first_pass);
     film_->begin(engine_->recipe());
     const uint32_t own = engine_->plan.block_size, wanted = desc.block_size ? desc.block_size : kDefaultBlock;
     blocks_ = make_blocks(engine_->bounds, own ? own : wanted);
@@ -121,7 +126,7 @@ void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {
   const FloatMode mode;
   const LightPilot pilot = pilot_light(*engine_);
   stats_ += pilot.stats;
-  engine_->set_counts(pilot.connectable);
+  engine_->set_counts(pilot.joinable);
   const double bytes = pilot.vertices * kPoolReserve * (sizeof(Vertex) + 8) + sizeof(LightStart) + sizeof(Stream) + 4;
   pool_booking_ =
       Booking(meter, uint64_t(double(engine_->light_per_pass()) * bytes), "the plan's pool of light subpaths");
@@ -241,9 +246,7 @@ bool Render::run_pass(Call& call) {
 }
 
 AdvanceReport Render::advance(const AdvanceDesc& desc) {
-  if (const uint64_t n = engine_->pool_passes; desc.passes % n != 0)
-    fail(ErrorCode::InvalidArgument, "passes: is ", desc.passes, ", but the plan ", engine_->plan.name, " takes ", n,
-         " passes at once: give a multiple of ", n);
+  check_whole_pools(*engine_, "passes", desc.passes);
   Call call(desc);
   engine_->recorder = recorder_;
   AdvanceReport report;

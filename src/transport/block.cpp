@@ -141,8 +141,10 @@ void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, co
 // --- extend ---
 
 void Block::extend() {
-  if (measures_ && engine_.allows(1, 1))
+  if (measures_ && engine_.allows(1, 1)) {
+    StageTimer timer(stats_.connect);
     for (uint32_t light = 0; light < light_.count(); ++light) connect_start_to_sensor(light);
+  }
   while (!walkers_.empty()) {
     {
       StageTimer timer(stats_.extend);
@@ -306,11 +308,11 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   // Not straight from a light without a point: its rays need not cover a lens that lies outside of the scene.
   if (w.infinite) return;
   const uint32_t s = w.count + 1;
-  if (!engine_.allows(s, 0) || (engine_.options.max_edges > 0 && w.count > uint32_t(engine_.options.max_edges))) return;
+  if (!engine_.allows(s, 0) || w.count > engine_.max_edges()) return;
   SensorPoint z0;
   if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
   const float cosine = absdot(z0.normal, w.direction);
-  const float geometry = w.infinite ? cosine : w.cosine * cosine / length_squared(z0.p - w.origin);
+  const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
   const float density = w.projected * geometry;
   if (!(density > 0) || !std::isfinite(density)) return;
   const bool corner = w.count == 1;

@@ -70,8 +70,20 @@ class Block {
   Four draw_eye(uint32_t sample, uint32_t vertex, Purpose purpose) const {
     return engine_.draw(eye_.streams[sample], vertex, purpose);
   }
-  // s >= 2, t >= 2; y is one of as many as `count` says that z meets. False where the two make no path.
-  // light: what y's links point into.
+  // Calls visit(z, sample) for each eye vertex that can be joined, from each subpath's end to its start.
+  template <class Visit>
+  void each_eye_vertex(Visit&& visit) {
+    for (uint32_t sample = 0; sample < eye_.count(); ++sample)
+      for (uint32_t i = eye_.last[sample]; i != kNoVertex; i = eye_.vertices[i].previous_index) {
+        if (eye_.vertices[i].is_joinable()) visit(eye_.vertices[i], sample);
+        flush_if_full();
+      }
+  }
+  // Whether a plan may join the two: their path is not too long, and its technique takes part.
+  bool allows(const Vertex& y, const Vertex& z) const {
+    return y.count + z.count - 1 <= engine_.max_edges() && engine_.allows(y.count, z.count);
+  }
+  // s >= 2, t >= 2; y is one of as many as `count` says that z meets. light: what y's links point into.
   void connect(const Vertex& y, const Vertex& z, uint32_t sample, float count, const LightSubpaths& light);
   // Tests the connections made so far, when there are many; plans call it between samples.
   void flush_if_full();

@@ -27,6 +27,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
       if (!plan.serves(s, t)) options.techniques.rows[size_t(s)] &= ~(1u << t);
 
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
+  if (options.connections == 0) options.connections = plan.default_connections;
   counts = plan.counts(options, 1);
   const bool structured = TechniqueClasses::from_mask(options.techniques, counts, classes);
   unweighted = options.heuristic == Heuristic::None;
@@ -57,10 +58,7 @@ FilmRecipe Engine::recipe() const {
   return {seed, scene.info().hash, all, samples_per_pass(), pool_passes};
 }
 
-PassInGroup Engine::in_group(uint64_t pass) const {
-  const uint64_t groups = uint64_t(film.desc().groups), pool = pass / pool_passes;
-  return {pool % groups, pool / groups * pool_passes + pass % pool_passes};
-}
+PassInGroup Engine::in_group(uint64_t pass) const { return pass_in_group(pass, pool_passes, film.desc().groups); }
 
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
   const PassInGroup p = in_group(pass);

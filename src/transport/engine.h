@@ -24,11 +24,6 @@ class RayRecorder {
 // The pass of the pilot's subpaths: they share no number with any other.
 inline constexpr uint64_t kPilotPass = ~0ull;
 
-// A pass among those of its group.
-struct PassInGroup {
-  uint64_t group, index;
-};
-
 struct Engine {
   const Scene& scene;
   const Sensor& sensor;

@@ -18,7 +18,7 @@ void LightPool::finish() {
   for (uint32_t piece = 0; piece < pieces(); ++piece) {
     const std::vector<Vertex>& vertices = pieces_[piece].vertices;
     for (uint32_t i = 0; i < vertices.size(); ++i)
-      if (!vertices[i].specular && !is_black(vertices[i].throughput)) entries_.push_back({piece, i});
+      if (vertices[i].is_joinable()) entries_.push_back({piece, i});
   }
 }
 
@@ -36,7 +36,7 @@ LightPilot pilot_light(const Engine& engine) {
   for (uint32_t first = 0; first < kSubpaths; first += kPiece) {
     block.run_light(kPilotPass, first, kPiece, kept);
     pilot.vertices += double(kept.vertices.size()) / kSubpaths;
-    for (const Vertex& v : kept.vertices) pilot.connectable += (v.specular ? 0.0 : 1.0) / kSubpaths;
+    for (const Vertex& v : kept.vertices) pilot.joinable += (v.is_joinable() ? 1.0 : 0.0) / kSubpaths;
   }
   pilot.stats = block.take_stats();
   return pilot;

@@ -19,7 +19,7 @@ class LightPool {
   void finish();
 
   uint64_t subpaths() const { return subpaths_; }
-  // Those that can be joined: not the specular ones.
+  // Those that can be joined.
   uint64_t vertices() const { return entries_.size(); }
   struct Entry {
     const Vertex* vertex;
@@ -39,8 +39,8 @@ class LightPool {
 
 // What a few light subpaths of reserved numbers tell; they measure nothing.
 struct LightPilot {
-  double vertices = 0;     // mean number of vertices of a light subpath
-  double connectable = 0;  // of these, those that are not specular
+  double vertices = 0;  // mean number of vertices of a light subpath
+  double joinable = 0;  // of these, those that a plan can join
   TransportStats stats;
 };
 LightPilot pilot_light(const Engine& engine);

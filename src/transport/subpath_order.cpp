@@ -28,7 +28,7 @@ double place_on_curve(const Vec3& p, const SceneInfo& scene) {
 
 template <class Start>
 void order_by(const Subpaths<Start>& subpaths, const SceneInfo& scene, Order order, OrderedVertices& result) {
-  std::vector<std::vector<Key>> keys(result.size());
+  std::vector<std::vector<Key>> keys;
   std::vector<uint32_t> chain;
   for (uint32_t sample = 0; sample < subpaths.count(); ++sample) {
     chain.clear();
@@ -40,7 +40,7 @@ void order_by(const Subpaths<Start>& subpaths, const SceneInfo& scene, Order ord
       const Vertex& v = subpaths.vertices[*i];
       metric += double(length_squared(v.p - before));
       before = v.p;
-      if (v.specular || is_black(v.throughput)) continue;
+      if (!v.is_joinable()) continue;
       if (keys.size() <= v.count) keys.resize(v.count + 1);
       const double key = order == Order::Metric    ? metric
                          : order == Order::Hilbert ? place_on_curve(v.p, scene)

@@ -45,6 +45,8 @@ struct Vertex {
   bool specular;            // no connection is made here
   bool start_hittable;      // light side: eye subpaths can hit y_0
   bool start_finite;        // light side: y_0 is a point
+
+  bool is_joinable() const { return !specular && !is_black(throughput); }
 };
 
 inline constexpr uint32_t kNoVertex = ~0u;

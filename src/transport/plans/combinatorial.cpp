@@ -15,19 +15,12 @@ SampleCounts counts(const TransportOptions& options, double) {
 }
 
 void connect(Block& block) {
-  const Engine& engine = block.engine();
   const LightSubpaths& light = block.light();
-  const uint32_t max_edges = engine.max_edges();
   const float met = float(light.count());
-  for (uint32_t sample = 0; sample < block.eye().count(); ++sample)
-    for (uint32_t i = block.eye().last[sample]; i != kNoVertex; i = block.eye().vertices[i].previous_index) {
-      const Vertex& z = block.eye().vertices[i];
-      if (z.specular || is_black(z.throughput)) continue;
-      for (const Vertex& y : light.vertices)
-        if (!y.specular && y.count + z.count - 1 <= max_edges && engine.allows(y.count, z.count))
-          block.connect(y, z, sample, met, light);
-      block.flush_if_full();
-    }
+  block.each_eye_vertex([&](const Vertex& z, uint32_t sample) {
+    for (const Vertex& y : light.vertices)
+      if (y.is_joinable() && block.allows(y, z)) block.connect(y, z, sample, met, light);
+  });
 }
 
 }  // namespace

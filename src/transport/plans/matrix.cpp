@@ -16,10 +16,8 @@ namespace bdpt {
 
 namespace {
 
-int connections(const TransportOptions& options) { return std::max(options.connections, 1); }
-
 SampleCounts counts(const TransportOptions& options, double) {
-  return {.light = float(options.light_samples), .connections = float(connections(options))};
+  return {.light = float(options.light_samples), .connections = float(options.connections)};
 }
 
 // Points of a matrix: point i of n, its row in order, has its column at u(i) in [0,1), each alike over all seeds.
@@ -42,7 +40,7 @@ class Columns {
 void join(Block& block, const std::vector<OrderedVertex>& rows, const std::vector<OrderedVertex>& columns,
           uint64_t seed) {
   const TransportOptions& options = block.engine().options;
-  const int m = connections(options);
+  const int m = options.connections;
   const double subpaths = double(block.light().count()), n = double(columns.size());
   const float count = float(m * subpaths / n);
   const Columns column(options.partners, seed, uint32_t(rows.size()) * uint32_t(m));

@@ -12,25 +12,16 @@ SampleCounts counts(const TransportOptions& options, double) {
 }
 
 void connect(Block& block) {
-  const Engine& engine = block.engine();
-  const EyeSubpaths& eye = block.eye();
   const LightSubpaths& light = block.light();
-  const uint32_t n = uint32_t(engine.options.light_samples), max_edges = engine.max_edges();
   if (light.count() == 0) return;
-  for (uint32_t sample = 0; sample < eye.count(); ++sample) {
-    // From the subpaths' ends to their starts, along the links each vertex has to the one before.
-    for (uint32_t i = eye.last[sample]; i != kNoVertex; i = eye.vertices[i].previous_index) {
-      const Vertex& z = eye.vertices[i];
-      if (z.specular || is_black(z.throughput)) continue;
-      for (uint32_t l = sample * n; l < (sample + 1) * n; ++l)
-        for (uint32_t j = light.last[l]; j != kNoVertex; j = light.vertices[j].previous_index) {
-          const Vertex& y = light.vertices[j];
-          if (!y.specular && y.count + z.count - 1 <= max_edges && engine.allows(y.count, z.count))
-            block.connect(y, z, sample, float(n), light);
-        }
-    }
-    block.flush_if_full();
-  }
+  const uint32_t n = uint32_t(block.engine().options.light_samples);
+  block.each_eye_vertex([&](const Vertex& z, uint32_t sample) {
+    for (uint32_t l = sample * n; l < (sample + 1) * n; ++l)
+      for (uint32_t j = light.last[l]; j != kNoVertex; j = light.vertices[j].previous_index) {
+        const Vertex& y = light.vertices[j];
+        if (y.is_joinable() && block.allows(y, z)) block.connect(y, z, sample, float(n), light);
+      }
+  });
 }
 
 }  // namespace

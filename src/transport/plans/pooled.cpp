@@ -11,40 +11,25 @@ namespace bdpt {
 
 namespace {
 
-constexpr int kConnections = 2;
-
-int connections(const TransportOptions& options) {
-  return options.connections > 0 ? options.connections : kConnections;
-}
-
 SampleCounts counts(const TransportOptions& options, double light_vertices) {
   const float n = float(options.light_samples);
-  return {.light = n, .connections = float(connections(options) / std::max(light_vertices, 1e-3))};
+  return {.light = n, .connections = float(options.connections / std::max(light_vertices, 1e-3))};
 }
 
 void connect(Block& block) {
-  const Engine& engine = block.engine();
   const LightPool& pool = block.light_pool();
-  const int m = connections(engine.options);
-  const uint32_t max_edges = engine.max_edges();
   if (pool.vertices() == 0) return;
+  const int m = block.engine().options.connections;
   const double vertices = double(pool.vertices());
   const float count = float(m * double(pool.subpaths()) / vertices);
-  for (uint32_t sample = 0; sample < block.eye().count(); ++sample)
-    for (uint32_t i = block.eye().last[sample]; i != kNoVertex; i = block.eye().vertices[i].previous_index) {
-      const Vertex& z = block.eye().vertices[i];
-      if (z.specular || is_black(z.throughput)) continue;
-      const Four u = block.draw_eye(sample, z.count, Purpose::Partner);
-      const double start = join(u[0], u[1]);
-      for (int k = 0; k < m; ++k) {  // one in each m-th of the pool
-        const uint64_t rank = std::min(uint64_t((k + start) / m * vertices), pool.vertices() - 1);
-        const LightPool::Entry e = pool.vertex(rank);
-        const Vertex& y = *e.vertex;
-        if (y.count + z.count - 1 <= max_edges && engine.allows(y.count, z.count))
-          block.connect(y, z, sample, count, *e.subpaths);
-      }
-      block.flush_if_full();
+  block.each_eye_vertex([&](const Vertex& z, uint32_t sample) {
+    const Four u = block.draw_eye(sample, z.count, Purpose::Partner);
+    const double start = join(u[0], u[1]);
+    for (int k = 0; k < m; ++k) {  // one in each m-th of the pool
+      const LightPool::Entry y = pool.vertex(std::min(uint64_t((k + start) / m * vertices), pool.vertices() - 1));
+      if (block.allows(*y.vertex, z)) block.connect(*y.vertex, z, sample, count, *y.subpaths);
     }
+  });
 }
 
 }  // namespace
@@ -56,6 +41,6 @@ const Plan kPooled = {.name = "pooled",
                       .counts = counts,
                       .connect = connect,
                       .pooled = true,
-                      .default_connections = kConnections};
+                      .default_connections = 2};
 
 }  // namespace bdpt

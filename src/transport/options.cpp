@@ -1,0 +1,23 @@
+#include "transport/options.h"
+
+#include "sampling/hash.h"
+#include "transport/plan.h"
+
+#include <cstring>
+
+namespace bdpt {
+
+uint64_t TransportOptions::hash() const {
+  uint64_t h = hash_values(max_edges, int(heuristic), int(sampler), sampler == SamplerType::Stratified ? strata : 0,
+                           uniform_light_start, roulette_start);
+  h = hash_bytes(techniques.rows.data(), sizeof(techniques.rows), h);
+  const float numbers[] = {heuristic == Heuristic::Power ? beta : 0, heuristic == Heuristic::Cutoff ? cutoff : 0};
+  h = hash_bytes(numbers, sizeof(numbers), h);
+  if (plan && plan != kPlans[0]) h = hash_bytes(plan->name, std::strlen(plan->name), h);
+  if (connections != 0 || light_samples != 1 || pool_passes != 0)
+    h = hash_values(h, connections, light_samples, pool_passes);
+  if (order != Order::Metric || partners != Partners::Sobol) h = hash_values(h, int(order), int(partners));
+  return h;
+}
+
+}  // namespace bdpt
