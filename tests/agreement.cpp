@@ -47,13 +47,13 @@ Mean mean_of(const std::vector<double>& values) {
 
 SceneUnderTest load_scene(const std::string& path, const Frame& frame, std::uint32_t max_edges,
                           Diagnostics& diagnostics) {
-  const std::uint32_t rows = frame.rows > 0 ? frame.rows : frame.height;
-  SceneUnderTest scene{make_context(0, diagnostics), {}, {}, frame.width, rows, max_edges};
+  std::array<std::uint32_t, 4> crop = frame.crop;
+  if (crop[2] == 0) crop = {0, 0, frame.width, frame.height};
+  SceneUnderTest scene{make_context(0, diagnostics), {}, {}, crop[2] - crop[0], crop[3] - crop[1], max_edges};
   SceneDescription description = read_scene(path, diagnostics);
   scene.scene = build_scene(scene.context.get(), description);
   bdpt_camera_desc camera = camera_desc(description, frame.width, frame.height, diagnostics);
-  camera.crop[2] = frame.width;
-  camera.crop[3] = rows;
+  std::copy(crop.begin(), crop.end(), camera.crop);
   scene.sensor = make<Sensor>("the camera", bdpt_camera_create, scene.context.get(), &camera);
   return scene;
 }

@@ -29,7 +29,7 @@ struct SceneUnderTest {
   Context context;
   Scene scene;
   Sensor sensor;
-  std::uint32_t width, height, max_edges;
+  std::uint32_t width, height, max_edges;  // of what is measured
 };
 
 struct Mean {
@@ -38,9 +38,10 @@ struct Mean {
 };
 Mean mean_of(const std::vector<double>& values);
 
-// The size of the image, and how many of its rows are measured, from the top; 0 = all.
+// The size of the image, and the part of it that is measured.
 struct Frame {
-  std::uint32_t width, height, rows = 0;
+  std::uint32_t width, height;
+  std::array<std::uint32_t, 4> crop = {};  // x0, y0, x1, y1 in pixels; zeros: the whole image
 };
 SceneUnderTest load_scene(const std::string& path, const Frame& frame, std::uint32_t max_edges,
                           Diagnostics& diagnostics);

@@ -1,0 +1,257 @@
+// The stage `extend`: subpaths grow, and what needs no subpath of the other side is joined or counted on the way.
+#include "transport/block.h"
+#include "transport/stage_timer.h"
+
+#include <limits>
+
+namespace bdpt {
+
+namespace {
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+}
+
+void Block::extend() {
+  if (measures_ && engine_.allows(1, 1)) {
+    StageTimer timer(stats_.connect);
+    for (uint32_t light = 0; light < light_.count(); ++light) connect_start_to_sensor(light);
+  }
+  while (!walkers_.empty()) {
+    {
+      StageTimer timer(stats_.extend);
+      trace();
+      next_walkers_.clear();
+      next_rays_.clear();
+      arrivals_.clear();
+      for (size_t i = 0; i < walkers_.size(); ++i) {
+        const Walker& w = walkers_[i];
+        ++(w.eye ? stats_.eye_rays : stats_.light_rays);
+        if (!w.eye && engine_.hit_sensor && measures_)
+          hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
+        if (hits_[i].instance == kMiss)
+          escape(w);
+        else
+          arrive(w, rays_[i], hits_[i]);
+      }
+      std::swap(walkers_, next_walkers_);
+      std::swap(rays_, next_rays_);
+    }
+    if (measures_) connect_ends();
+    // A walker carries all that its weights need: a plan that joins no inner vertices has no use for them.
+    if (!engine_.keeps_vertices()) eye_.vertices.clear(), light_.vertices.clear();
+  }
+  shadow();
+}
+
+// What the vertices just made can be joined to without knowing of any subpath of the other side. The shadow rays are
+// cast now, not when there are many: the order in which a sample's contributions are added must not depend on others.
+void Block::connect_ends() {
+  {
+    StageTimer timer(stats_.connect);
+    const uint32_t max_edges = engine_.max_edges();
+    for (const Arrival& a : arrivals_) {
+      const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
+      if (v.specular || v.count > max_edges) continue;
+      if (a.eye) {
+        if (engine_.allows(1, v.count) && !is_black(v.throughput)) connect_to_light(v, a.sample);
+      } else if (engine_.allows(v.count, 1)) {
+        connect_to_sensor(v, a.sample);
+      }
+    }
+  }
+  shadow();
+}
+
+void Block::trace() {
+  StageTimer timer(stats_.extend_rays);
+  hits_.resize(rays_.size());
+  engine_.scene.rays().intersect(rays_.data(), hits_.data(), rays_.size());
+  if (engine_.recorder) engine_.recorder->record(rays_.data(), rays_.size(), false);
+}
+
+// u_i of mis.h, for the technique that would join this vertex to the one before it.
+float Block::technique(const Walker& w, const Vertex& v) const {
+  if (w.specular || v.specular) return 0;
+  const TechniqueClasses& c = engine_.classes;
+  if (w.count > 1) return c.inner;
+  return w.eye ? c.t1 : c.s1 * v.direct;
+}
+
+void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
+  Surface surface;
+  if (!engine_.scene.surface(ray, hit, surface)) return;
+  std::vector<Vertex>& vertices = w.eye ? eye_.vertices : light_.vertices;
+  const Vec3 edge = surface.p - w.origin;
+  const float cosine = absdot(surface.ng, w.direction);
+  const float geometry = w.infinite ? cosine : w.cosine * cosine / length_squared(edge);
+  const float density = w.projected * geometry;
+  if (!(density > 0) || !std::isfinite(density)) return;
+
+  const uint32_t index = uint32_t(vertices.size());
+  Vertex& v = vertices.emplace_back();
+  v.p = surface.p;
+  v.margin = surface.margin;
+  v.density = density;
+  v.ng = surface.ng;
+  v.geometry = geometry;
+  v.ns = surface.ns;
+  v.sums = geometry / w.density * w.sums;
+  v.previous = -w.direction;
+  v.tangent = surface.tangent;
+  v.previous_cosine_g = -dot(v.ng, w.direction);
+  v.previous_cosine_s = -dot(v.ns, w.direction);
+  v.previous_reverse = 0;
+  v.throughput = w.throughput;
+  v.reflectance = surface.reflectance;
+  v.material = surface.material;
+  v.previous_index = w.vertex;
+  v.previous_density = w.density;
+  v.count = w.count + 1;
+  v.specular = surface.material->is_specular();
+  v.direct = w.direct;
+  v.start_hittable = w.start_hittable;
+  v.start_finite = w.start_finite;
+  if (!w.eye && w.count == 1) {
+    const LightStart& y0 = light_.starts[w.sample];
+    v.direct = engine_.scene.lights().direct_density(y0.y0, v.p) / y0.density_position;
+  }
+  v.technique = technique(w, v);
+  (w.eye ? eye_.last : light_.last)[w.sample] = index;
+  arrivals_.push_back({index, w.sample, w.eye});
+
+  if (w.eye && surface.light >= 0 && engine_.allows(0, v.count)) {
+    LightPoint x0;
+    x0.light = surface.light;
+    x0.has_area = true;
+    x0.p = v.p;
+    x0.normal = v.ng;
+    const Rgb radiance = engine_.scene.lights().radiance(surface.light, v.ng, v.previous);
+    if (!is_black(radiance)) hit_light(w, v, x0, radiance);
+  }
+  if (v.count < (w.eye ? engine_.max_eye : engine_.max_light)) continue_walk(w, v, index);
+}
+
+void Block::escape(const Walker& w) {
+  const Lights& lights = engine_.scene.lights();
+  if (!w.eye || !lights.has_environment() || !engine_.allows(0, w.count + 1)) return;
+  LightPoint x0;
+  x0.light = lights.environment();
+  x0.infinite = true;
+  x0.normal = w.direction;
+  Vertex z{};
+  z.geometry = w.cosine;  // a direction has no area: the edge's factor is the cosine at its other end
+  z.density = w.projected * z.geometry;
+  z.sums = w.count == 1 ? 0 : z.geometry / w.density * w.sums;  // no (2,0): see hit_sensor
+  z.previous = -w.direction;
+  z.throughput = w.throughput;
+  z.previous_index = w.vertex;
+  z.previous_density = w.density;
+  z.count = w.count + 1;
+  hit_light(w, z, x0, lights.environment_radiance());
+}
+
+// s = 0: the eye subpath ends at z = x_0, on a light.
+void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, const Rgb& radiance) {
+  const Lights& lights = engine_.scene.lights();
+  const bool corner = z.count == 2;
+  const float position = lights.position_density(x0, engine_.options.uniform_light_start);
+  const float direction = lights.direction_density(x0, z.previous);
+  const float direct = corner ? position : lights.direct_density(x0, w.origin);
+  float weight = 1;
+  if (engine_.running_sums) {
+    // u_1 is that of s = 1 here, seen from the eye: P_A^d(x_0) takes the place of P_A(x_0).
+    const TechniqueClasses& c = engine_.classes;
+    const float count = w.specular || (corner && x0.infinite) ? 0 : corner ? c.corner : c.s1;
+    weight = engine_.heuristic.weight(
+        0, engine_.heuristic.combine(count * direct, position * direction * z.sums) / z.density);
+  } else if (!engine_.unweighted) {
+    Edge edge;
+    edge.light_at_z = position;
+    edge.light_before_z = direction * z.geometry;
+    weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true,
+                         !x0.infinite, light_);
+  }
+  add_eye(w.sample, 0, z.count, w.throughput * radiance * weight);
+}
+
+// t = 0: the light subpath passes through the sensor, which is no surface of the scene; it is counted and goes on.
+void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
+  // Not straight from a light without a point: its rays need not cover a lens that lies outside of the scene.
+  if (w.infinite) return;
+  const uint32_t s = w.count + 1;
+  if (!engine_.allows(s, 0) || w.count > engine_.max_edges()) return;
+  SensorPoint z0;
+  if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
+  const float cosine = absdot(z0.normal, w.direction);
+  const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
+  const float density = w.projected * geometry;
+  if (!(density > 0) || !std::isfinite(density)) return;
+  const bool corner = w.count == 1;
+  float weight = 1;
+  if (engine_.running_sums) {
+    const TechniqueClasses& c = engine_.classes;
+    const float count = w.specular ? 0 : corner ? c.corner : c.t1;
+    const float sums = geometry / w.density * w.sums;
+    weight = engine_.heuristic.weight(
+        z0.density_position / (density * c.t0) * engine_.heuristic.combine(count, z0.density_direction * sums), 0);
+  } else if (!engine_.unweighted) {
+    Vertex y{};
+    y.density = density;
+    y.geometry = geometry;
+    y.previous_index = w.vertex;
+    y.previous_density = w.density;
+    Edge edge;
+    edge.eye_at_y = z0.density_position;
+    edge.eye_before_y = z0.density_direction * geometry;
+    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite, light_);
+  }
+  add_light(z0.film, s, 0, w.throughput * (z0.importance * weight / engine_.counts.light));
+}
+
+void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
+  const TransportMode mode = w.eye ? TransportMode::Radiance : TransportMode::Importance;
+  const Four u = engine_.draw((w.eye ? eye_.streams : light_.streams)[w.sample], v.count, Purpose::Scatter);
+  const float gp = v.previous_cosine_g, sp = v.previous_cosine_s;
+  if (!(gp * sp > 0)) return;
+  const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
+  const BsdfSample b = sample(*v.material, v.reflectance, frame.to_local(v.previous), mode, u.u);
+  if (!(b.density > 0) || is_black(b.weight)) return;
+
+  const Vec3 next = frame.to_world(b.next);
+  const float gn = dot(v.ng, next), sn = b.next.z;
+  if (!(gn * sn > 0)) return;
+  Rgb factor = b.weight;                                                            // f |cos| / P
+  if (mode == TransportMode::Importance) factor *= std::fabs(sp * gn / (gp * sn));  // Veach 5.3.2, shading normals
+
+  // Russian roulette by the local factor (10.3.3). Its probability is no part of the densities in the weights: it
+  // depends on the vertex's number, which the other direction cannot know (10.3.6). Refraction changes radiance, not
+  // energy: it is not punished.
+  if (v.count >= uint32_t(engine_.options.roulette_start)) {
+    constexpr float most = 0.95f;
+    const float q = gp * gn < 0 ? most : std::min(most, norm(b.weight));
+    if (u[3] >= q) return;
+    factor *= 1 / q;
+  }
+
+  Walker n;
+  n.origin = v.p;
+  n.cosine = std::fabs(gn);
+  n.direction = next;
+  n.projected = b.density / std::fabs(gn);
+  n.throughput = w.throughput * factor;
+  n.density = v.density;
+  const float reverse = b.density_reverse / std::fabs(gp);
+  n.sums = engine_.heuristic.combine(v.technique, reverse * v.sums);
+  n.direct = v.direct;
+  n.vertex = index;
+  n.count = v.count;
+  n.sample = w.sample;
+  n.eye = w.eye;
+  n.specular = v.specular;
+  n.infinite = false;
+  n.start_hittable = w.start_hittable;
+  n.start_finite = w.start_finite;
+  v.previous_reverse = reverse * v.geometry;
+  push_walker(next_walkers_, next_rays_, n, off_surface(v, next));
+}
+
+}  // namespace bdpt
