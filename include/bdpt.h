@@ -617,6 +617,13 @@ typedef int32_t bdpt_sampler;
 #define BDPT_SAMPLER_INDEPENDENT 1
 #define BDPT_SAMPLER_STRATIFIED 2  /* Veach 10.3.1: each pixel in n x n strata, the rest independent */
 
+typedef int32_t bdpt_shadow_roulette;
+#define BDPT_SHADOW_ROULETTE_NONE 0       /* every connection that carries light is tested for visibility */
+#define BDPT_SHADOW_ROULETTE_FIXED 1      /* with probability min(1, c / threshold), c the contribution's largest channel */
+#define BDPT_SHADOW_ROULETTE_EFFICIENCY 2 /* Veach (1997), 10.4: the threshold of each region of the image is the standard
+                                             deviation of a sample per ray, found by a pilot of some thousand samples
+                                             at the start of the first call of bdpt_render_advance */
+
 typedef int32_t bdpt_light_start;
 #define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
 #define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
@@ -653,6 +660,8 @@ typedef struct bdpt_render_desc {
                                    must be multiples of it */
   bdpt_order order;             /* matrix: how subpaths are put in order */
   bdpt_partners partners;       /* matrix: how light subpaths are chosen in that order */
+  bdpt_shadow_roulette shadow_roulette;
+  float shadow_threshold;       /* fixed roulette: in units of a pixel's value, above 0; else 0 */
   uint32_t reserved;            /* 0 */
 } bdpt_render_desc;
 
@@ -749,12 +758,33 @@ typedef struct bdpt_render_stats {
   double seconds_connect;     /*   connections and their weights */
   double seconds_shadow;      /*   shadow rays */
   double seconds_accumulate;  /*   into the film */
+  uint64_t shadow_rays_skipped; /* by the shadow rays' roulette */
 } bdpt_render_stats;
 
 /* Tells what a render has done so far.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: one thread per object. Callbacks: allowed.
  * Ownership: copies into *stats. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_render_get_stats(const bdpt_render *render, bdpt_render_stats *stats);
+
+typedef struct bdpt_technique_stats {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t contributions;       /* connections that carried light, before their visibility was known */
+  uint64_t shadow_rays;
+  uint64_t shadow_rays_blocked;
+  uint64_t shadow_rays_skipped; /* by the shadow rays' roulette */
+  double energy;                /* share of the sum of all contributions, [0,1] */
+  double squares;               /* share of the sum of their squares, [0,1]: where noise comes from */
+  double seconds;               /* thread-seconds of connecting and of shadow rays, in proportion to contributions and
+                                   rays */
+} bdpt_technique_stats;
+
+/* Tells what technique (s,t) has done so far; 31 stands for 31 and more. Colours count by their largest channel.
+ * During bdpt_render_advance, blocks that are not done are left out.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (s or t above 31, or no such technique: s + t < 2). Threads: one thread per
+ * object. Callbacks: allowed. Ownership: copies into *stats. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_render_get_technique_stats(const bdpt_render *render, uint32_t s, uint32_t t,
+                                                                bdpt_technique_stats *stats);
 
 /* ---------------------------------------------------------------------------------------------------------------
  * Images: display transform and files. These need no context.

@@ -64,6 +64,13 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.order = static_cast<Order>(desc.order);
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
   options.partners = static_cast<Partners>(desc.partners);
+  subject.check_enum("shadow_roulette", desc.shadow_roulette, BDPT_SHADOW_ROULETTE_EFFICIENCY);
+  options.shadow_roulette = static_cast<Roulette>(desc.shadow_roulette);
+  const bool fixed = options.shadow_roulette == Roulette::Fixed;
+  if (fixed ? !(desc.shadow_threshold > 0 && std::isfinite(desc.shadow_threshold)) : desc.shadow_threshold != 0)
+    subject.refuse("shadow_threshold", "is ", desc.shadow_threshold,
+                   fixed ? ": give a value above 0" : ": give 0, or set shadow_roulette to fixed");
+  options.shadow_threshold = desc.shadow_threshold;
   if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
@@ -165,6 +172,35 @@ bdpt_result bdpt_render_get_stats(const bdpt_render* render, bdpt_render_stats* 
     result.seconds_connect = from.connect;
     result.seconds_shadow = from.shadow;
     result.seconds_accumulate = from.accumulate;
+    result.shadow_rays_skipped = from.shadow_rays_skipped;
+    write_struct(result, stats);
+  });
+}
+
+bdpt_result bdpt_render_get_technique_stats(const bdpt_render* render, uint32_t s, uint32_t t,
+                                            bdpt_technique_stats* stats) {
+  return guard(__func__, [&] {
+    const Render& r = *require(render, "render").render;
+    check_output_struct(stats, "stats");
+    if (s > 31 || t > 31 || s + t < 2)
+      fail(ErrorCode::InvalidArgument, "there is no technique (", s, ",", t,
+           "): give s and t up to 31 whose sum is at least 2");
+    const TransportStats whole = r.stats();
+    const TechniqueTable table = r.techniques();
+    TechniqueStats all;
+    for (uint32_t i = 0; i < 32; ++i)
+      for (uint32_t j = 0; j < 32; ++j) all += table.at(i, j);
+    const TechniqueStats& own = table.at(s, t);
+    const auto share = [](double part, double of) { return of > 0 ? part / of : 0; };
+    bdpt_technique_stats result{};
+    result.contributions = own.contributions;
+    result.shadow_rays = own.shadow_rays;
+    result.shadow_rays_blocked = own.shadow_rays_blocked;
+    result.shadow_rays_skipped = own.shadow_rays_skipped;
+    result.energy = share(own.sum, all.sum);
+    result.squares = share(own.squares, all.squares);
+    result.seconds = whole.connect * share(double(own.contributions), double(all.contributions)) +
+                     whole.shadow * share(double(own.shadow_rays), double(all.shadow_rays));
     write_struct(result, stats);
   });
 }

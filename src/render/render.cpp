@@ -3,6 +3,7 @@
 #include "render/float_mode.h"
 #include "sampling/hash.h"
 #include "transport/block.h"
+#include "transport/image_pilot.h"
 #include "transport/plan.h"
 
 #include <chrono>
@@ -143,6 +144,13 @@ TransportStats Render::stats() const {
   return stats_;
 }
 
+TechniqueTable Render::techniques() const {
+  TechniqueTable sum;
+  const std::lock_guard lock(workers_mutex_);
+  for (const std::unique_ptr<Worker>& worker : workers_) sum += worker->block.techniques();
+  return sum;
+}
+
 std::unique_ptr<Render::Worker> Render::take_worker() {
   const std::lock_guard lock(workers_mutex_);
   if (workers_.empty()) return std::make_unique<Worker>(*engine_);
@@ -209,8 +217,29 @@ bool Render::fill_pool(Call& call) {
   return pool_filled_ = true;
 }
 
+// The thresholds of the shadow rays' roulette.
+bool Render::run_pilot(Call& call) {
+  ImagePilot pilot(*engine_);
+  const auto run = [&](uint32_t count, auto&& task) {
+    std::atomic<uint32_t> done{0};
+    return run_tasks(call, count, done, [&](uint32_t i) {
+      run_task(call, [&](Block& block) {
+        task(block, i);
+        ++done;
+      });
+    });
+  };
+  if (!run(pilot.pool_tasks(), [&](Block& block, uint32_t i) { pilot.fill_pool(block, i); })) return false;
+  pilot.finish_pool();
+  if (!run(pilot.row_tasks(), [&](Block& block, uint32_t i) { pilot.run_row(block, i); })) return false;
+  engine_->roulette.set_efficient(pilot.grid(), pilot.measures());
+  return true;
+}
+
 // True when the pass in hand is whole.
 bool Render::run_pass(Call& call) {
+  if (engine_->options.shadow_roulette == Roulette::Efficiency && !engine_->roulette.plays() && !run_pilot(call))
+    return false;
   call.blocks = uint32_t(blocks_.size());
   call.pool_passes = engine_->pool_passes;
   uint32_t done = 0;

@@ -55,7 +55,8 @@ class Render {
 
   // Not to be called from its own callbacks.
   AdvanceReport advance(const AdvanceDesc& desc);
-  TransportStats stats() const;  // also while advance() is under way
+  TransportStats stats() const;       // also while advance() is under way
+  TechniqueTable techniques() const;  // of the blocks that are done
   const Engine& engine() const { return *engine_; }
   uint64_t passes() const { return passes_; }
   double seconds() const { return seconds_; }
@@ -70,6 +71,7 @@ class Render {
   struct Call;
   bool run_pass(Call& call);
   bool fill_pool(Call& call);
+  bool run_pilot(Call& call);
   void make_pool(const std::shared_ptr<MemoryMeter>& meter);
   void restart_pass();
   bool run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,

@@ -15,11 +15,24 @@ constexpr size_t kConnectionsInFlight = 1024;
 }  // namespace
 
 void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
+  tally_ = nullptr;
+  run_samples(pass, uint32_t(engine_.pool_passes), rect, pool);
+}
+
+void Block::run_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool, Tally& tally) {
+  tally_ = &tally;
+  const uint64_t samples = stats_.samples;
+  run_samples(kPilotPass, passes, rect, pool);
+  stats_.samples = samples;
+}
+
+void Block::run_samples(uint64_t pass, uint32_t passes, const BlockRect& rect, const LightPool* pool) {
   pool_ = pool;
   measures_ = true;
-  start_eyes(pass, rect);
+  start_eyes(pass, passes, rect);
   extend();
   if (engine_.keeps_vertices()) {
+    roulette_key_ = ~0ull;
     const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
     engine_.plan.connect(*this);
     stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
@@ -28,8 +41,9 @@ void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
   accumulate();
 }
 
-void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept) {
-  measures_ = pass != kPilotPass;
+void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept, Tally* tally) {
+  tally_ = tally;
+  measures_ = tally || pass < kPilotPass;
   {
     StageTimer timer(stats_.start);
     start(0, count);
@@ -45,14 +59,14 @@ void Block::start(size_t eyes, size_t lights) {
   eye_.reset(eyes);
   light_.reset(lights);
   eye_sums_.assign(eyes, Rgb());
+  roulette_key_ = ~0ull;
   walkers_.clear();
   rays_.clear();
 }
 
-void Block::start_eyes(uint64_t pass, const BlockRect& rect) {
+void Block::start_eyes(uint64_t pass, uint32_t passes, const BlockRect& rect) {
   StageTimer timer(stats_.start);
   const SampleBounds& bounds = engine_.bounds;
-  const uint32_t passes = uint32_t(engine_.pool_passes);
   const uint32_t samples = passes * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
   seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
   const uint32_t lights = engine_.max_light > 0 && !pool_ ? uint32_t(engine_.options.light_samples) : 0;
@@ -141,7 +155,7 @@ void Block::shadow() {
   for (size_t i = 0; i < connections_.size(); ++i) {
     const Connection& c = connections_[i];
     if (blocked_[i])
-      ++stats_.shadow_rays_blocked;
+      ++stats_.shadow_rays_blocked, ++techniques_.at(c.s, c.t).shadow_rays_blocked;
     else if (c.t >= 2)
       add_eye(c.sample, c.s, c.t, c.contribution);
     else
@@ -153,7 +167,13 @@ void Block::shadow() {
 
 void Block::accumulate() {
   StageTimer timer(stats_.accumulate);
-  for (size_t i = 0; i < eye_sums_.size(); ++i) engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i]);
+  for (uint32_t i = 0; i < eye_sums_.size(); ++i) {
+    const FilmPosition& film = eye_.starts[i].film;
+    if (tally_)
+      tally_->add_eye(i, film, eye_sums_[i]);
+    else
+      engine_.film.add_eye_sample(film, eye_sums_[i]);
+  }
 }
 
 void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
@@ -162,7 +182,8 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
     return;
   }
   eye_sums_[sample] += value;
-  if (engine_.film.desc().pyramid_edges > 0)
+  count(s, t, value);
+  if (engine_.film.desc().pyramid_edges > 0 && !tally_)
     engine_.film.add_technique_sample(int(s), int(t), eye_.starts[sample].film, value);
 }
 
@@ -171,14 +192,46 @@ void Block::add_light(const FilmPosition& film, uint32_t s, uint32_t t, const Rg
     ++stats_.rejected;
     return;
   }
+  count(s, t, value);
+  if (tally_) return tally_->add_light(film, value);
   engine_.film.add_light_sample(film, value);
   if (engine_.film.desc().pyramid_edges > 0) engine_.film.add_technique_sample(int(s), int(t), film, value);
 }
 
 void Block::push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
                             const FilmPosition& film) {
+  TechniqueStats& technique = techniques_.at(s, t);
+  ++technique.contributions;
+  Rgb c = contribution;
+  if (engine_.roulette.plays() && !survives(c, sample, s, t, t == 1 ? film : eye_.starts[sample].film)) {
+    ++stats_.shadow_rays_skipped, ++technique.shadow_rays_skipped;
+    return;
+  }
+  ++technique.shadow_rays;
   shadow_rays_.push_back(ray);
-  connections_.push_back({contribution, film, sample, s, t});
+  connections_.push_back({c, film, sample, s, t});
+}
+
+bool Block::survives(Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, const FilmPosition& film) {
+  const float q = engine_.roulette.probability(film, contribution);
+  if (q == 1) return true;
+  // A number for each connection of a vertex.
+  const bool eye = t != 1;
+  const uint64_t key = uint64_t(sample) << 32 | uint64_t(eye ? t : s) << 1 | (eye ? 1 : 0);
+  roulette_number_ = key == roulette_key_ ? roulette_number_ + 1 : 0;
+  roulette_key_ = key;
+  const Stream& stream = eye ? eye_.streams[sample] : light_.streams[sample];
+  const uint64_t h = hash_values(stream.scramble, stream.index, 8, s, t, roulette_number_);
+  if (float(h >> 40) * 0x1p-24f >= q) return false;
+  contribution *= 1 / q;
+  return true;
+}
+
+void Block::count(uint32_t s, uint32_t t, const Rgb& value) {
+  const double v = double(norm(value));
+  TechniqueStats& technique = techniques_.at(s, t);
+  technique.sum += v;
+  technique.squares += v * v;
 }
 
 TransportStats Block::take_stats() {

@@ -45,17 +45,28 @@ using LightSubpaths = Subpaths<LightStart>;
 
 class LightPool;
 
+// Receives what a block measures, in place of the film: for pilots.
+class Tally {
+ public:
+  virtual ~Tally() = default;
+  virtual void add_eye(uint32_t sample, const FilmPosition& film, const Rgb& value) = 0;
+  virtual void add_light(const FilmPosition& film, const Rgb& value) = 0;
+};
+
 class Block {
  public:
   explicit Block(const Engine& engine) : engine_(engine) {}
   // The samples of some pixels, from the first vertex into the film. With a pool, eye subpaths alone.
   void run(uint64_t pass, const BlockRect& rect, const LightPool* pool = nullptr);
   // The light subpaths [first, first + count) of a pass, kept for a pool; those ends of theirs that need no eye subpath
-  // go into the film.
-  void run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept);
+  // go into the film, or a pilot's tally; without one a pilot does not measure.
+  void run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept, Tally* tally = nullptr);
+  // A pilot's samples: so many of its passes at once, in this order: pass, row, column.
+  void run_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool, Tally& tally);
 
   const TransportStats& stats() const { return stats_; }
   TransportStats take_stats();
+  const TechniqueTable& techniques() const { return techniques_; }  // since the block was made
   // Bytes of the buffers.
   size_t memory() const;
 
@@ -121,7 +132,8 @@ class Block {
   };
 
   void start(size_t eyes, size_t lights);
-  void start_eyes(uint64_t pass, const BlockRect& rect);
+  void run_samples(uint64_t pass, uint32_t passes, const BlockRect& rect, const LightPool* pool);
+  void start_eyes(uint64_t pass, uint32_t passes, const BlockRect& rect);
   void start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t sample);
   void start_light(uint64_t pass, uint64_t number, uint32_t light);
   void extend();
@@ -145,8 +157,11 @@ class Block {
   float technique(const Walker& walker, const Vertex& vertex) const;
   void add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value);
   void add_light(const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value);
+  void count(uint32_t s, uint32_t t, const Rgb& value);
   void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
                        const FilmPosition& film = {0, 0});
+  // The shadow ray's roulette; the contribution of a survivor grows.
+  bool survives(Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, const FilmPosition& film);
   // The weight by the plain loop; y or z is nullptr where that side has fewer than two vertices.
   float path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge, PathVertex start_light,
                     PathVertex start_eye, double direct, bool s0_exists, bool corner_exists,
@@ -156,7 +171,8 @@ class Block {
   EyeSubpaths eye_;
   LightSubpaths light_;
   const LightPool* pool_ = nullptr;
-  bool measures_ = true;  // a pilot does not
+  bool measures_ = true;    // a pilot need not
+  Tally* tally_ = nullptr;  // nullptr: the film
   uint64_t seed_ = 0;
   std::vector<Rgb> eye_sums_;
   std::vector<Walker> walkers_, next_walkers_;
@@ -167,7 +183,10 @@ class Block {
   std::vector<Connection> connections_;
   std::vector<uint8_t> blocked_;
   std::vector<PathVertex> path_;
+  uint64_t roulette_key_ = ~0ull;  // the vertex that played last, and how often it did before
+  uint32_t roulette_number_ = 0;
   TransportStats stats_;
+  TechniqueTable techniques_;
 };
 
 }  // namespace bdpt

@@ -46,6 +46,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   hit_sensor = false;
   for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
   if (scene.lights().empty()) max_eye = max_light = 0;
+  if (options.shadow_roulette == Roulette::Fixed) roulette.set_fixed(options.shadow_threshold);
 }
 
 void Engine::set_counts(double light_vertices) {
@@ -61,12 +62,16 @@ FilmRecipe Engine::recipe() const {
 PassInGroup Engine::in_group(uint64_t pass) const { return pass_in_group(pass, pool_passes, film.desc().groups); }
 
 Stream Engine::eye_stream(uint64_t pass, uint64_t number) const {
+  if (pass >= kPilotPass) return Stream(hash_values(seed, 6, number), uint32_t(pass - kPilotPass));
   const PassInGroup p = in_group(pass);
   return Stream(hash_values(seed, 1, p.group, number, p.index >> 32), uint32_t(p.index));
 }
 
 Stream Engine::light_stream(uint64_t pass, uint64_t number) const {
-  if (pass == kPilotPass) return Stream(hash_values(seed, 4), uint32_t(number));
+  if (pass >= kPilotPass) {
+    const uint64_t index = (pass - kPilotPass) * light_per_pass() + number;
+    return Stream(hash_values(seed, 4, index >> 32), uint32_t(index));
+  }
   const PassInGroup p = in_group(pass);
   const uint64_t index = p.index * light_per_pass() + number;
   return Stream(hash_values(seed, 2, p.group, index >> 32), uint32_t(index));
@@ -74,6 +79,7 @@ Stream Engine::light_stream(uint64_t pass, uint64_t number) const {
 
 Four Engine::draw_film(const Stream& stream, uint64_t pass, uint64_t number) const {
   Four u = draw(stream, 0, Purpose::Start);
+  if (pass >= kPilotPass) return u;
   if (options.sampler == SamplerType::Stratified) {
     const uint32_t n = uint32_t(options.strata), cells = n * n;
     const PassInGroup p = in_group(pass);

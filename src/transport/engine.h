@@ -7,6 +7,7 @@
 #include "sensor/sensor.h"
 #include "transport/mis.h"
 #include "transport/options.h"
+#include "transport/shadow_roulette.h"
 #include "transport/stats.h"
 
 #include <vector>
@@ -21,8 +22,8 @@ class RayRecorder {
   virtual void record(const Ray* rays, size_t count, bool shadow) = 0;
 };
 
-// The pass of the pilot's subpaths: they share no number with any other.
-inline constexpr uint64_t kPilotPass = ~0ull;
+// The passes of pilots, from here on up: their subpaths share no number with any other.
+inline constexpr uint64_t kPilotPass = 1ull << 63;
 
 struct Engine {
   const Scene& scene;
@@ -42,6 +43,7 @@ struct Engine {
   uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced
   bool hit_sensor;              // whether t = 0 is done at all
   RayRecorder* recorder = nullptr;
+  ShadowRoulette roulette;
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 

@@ -7,6 +7,8 @@
 namespace bdpt {
 
 enum class Heuristic { Power, Balance, Cutoff, Maximum, Average, None };
+// Roulette of shadow rays.
+enum class Roulette { None, Fixed, Efficiency };
 enum class SamplerType { Sobol, Independent, Stratified };
 
 // Which techniques (s,t) take part: bit t of row s, 31 standing for 31 and more.
@@ -39,6 +41,8 @@ struct TransportOptions {
   int strata = 4;
   bool uniform_light_start = false;
   int roulette_start = 4;
+  Roulette shadow_roulette = Roulette::None;
+  float shadow_threshold = 0;  // Fixed: delta, in units of a pixel's value
   uint64_t hash() const;
 };
 

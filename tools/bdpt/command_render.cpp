@@ -138,6 +138,8 @@ class RenderCommand {
     desc.pool_passes = options_.pool_passes;
     desc.order = options_.order;
     desc.partners = options_.partners;
+    desc.shadow_roulette = options_.roulette;
+    desc.shadow_threshold = options_.roulette_threshold;
     return desc;
   }
 
@@ -149,6 +151,7 @@ class RenderCommand {
     if (range_.end == 0 || range_.end > range_.first) advance(render.get());
     report_.render_seconds = watch.seconds();
     check(bdpt_render_get_stats(render.get(), &report_.stats), "the render");
+    report_.techniques = read_techniques(render.get());
   }
 
   void advance(bdpt_render* render) {

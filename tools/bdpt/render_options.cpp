@@ -19,6 +19,9 @@ const std::map<std::string, bdpt_order> kOrders = {
     {"metric", BDPT_ORDER_METRIC}, {"hilbert", BDPT_ORDER_HILBERT}, {"none", BDPT_ORDER_NONE}};
 const std::map<std::string, bdpt_partners> kPartners = {{"sobol", BDPT_PARTNERS_SOBOL},
                                                         {"latin-hypercube", BDPT_PARTNERS_LATIN_HYPERCUBE}};
+const std::map<std::string, bdpt_shadow_roulette> kRoulettes = {{"none", BDPT_SHADOW_ROULETTE_NONE},
+                                                                {"fixed", BDPT_SHADOW_ROULETTE_FIXED},
+                                                                {"efficiency", BDPT_SHADOW_ROULETTE_EFFICIENCY}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -84,6 +87,13 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   add_choice(command, "--partners", options.partners, kPartners,
              "How matrix chooses partners: sobol (default) or latin-hypercube");
   command.add_option("--light-samples", options.light_samples, "Light subpaths for each eye subpath (default 1)")
+      ->check(positive());
+  add_choice(command, "--roulette", options.roulette, kRoulettes,
+             "Which connections are tested for visibility: none: all (default); fixed: by --roulette-threshold; "
+             "efficiency: by the noise per ray in each region of the picture (Veach 10.4)");
+  command
+      .add_option("--roulette-threshold", options.roulette_threshold,
+                  "Contributions below it, in units of a pixel's value, are tested in proportion (--roulette fixed)")
       ->check(positive());
   command.add_option("--techniques", options.techniques, kTechniqueMaskHelp)
       ->excludes("--integrator")

@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "json.h"
@@ -36,6 +37,7 @@ void write_work(JsonWriter& json, const bdpt_render_stats& stats) {
   json.value("shadow", stats.shadow_rays);
   json.value("shadow_blocked", stats.shadow_rays_blocked);
   json.close();
+  json.value("shadow_rays_skipped", stats.shadow_rays_skipped);
   json.value("connections", stats.connections);
   json.open("thread_seconds");
   json.value("start", stats.seconds_start);
@@ -47,7 +49,34 @@ void write_work(JsonWriter& json, const bdpt_render_stats& stats) {
   json.close();
 }
 
+void write_techniques(JsonWriter& json, const std::vector<TechniqueReport>& techniques) {
+  json.open("techniques");
+  for (const TechniqueReport& t : techniques) {
+    json.open(std::to_string(t.s) + "x" + std::to_string(t.t));
+    json.value("energy", t.stats.energy);
+    json.value("squares", t.stats.squares);
+    json.value("contributions", t.stats.contributions);
+    json.value("shadow", t.stats.shadow_rays);
+    json.value("shadow_blocked", t.stats.shadow_rays_blocked);
+    json.value("shadow_skipped", t.stats.shadow_rays_skipped);
+    json.value("thread_seconds", t.stats.seconds);
+    json.close();
+  }
+  json.close();
+}
+
 }  // namespace
+
+std::vector<TechniqueReport> read_techniques(const bdpt_render* render) {
+  std::vector<TechniqueReport> techniques;
+  for (std::uint32_t k = 1; k <= 61; ++k)
+    for (std::uint32_t s = k + 1 > 31 ? k + 1 - 31 : 0; s <= std::min(k + 1, 31u); ++s) {
+      TechniqueReport t{s, k + 1 - s, sized<bdpt_technique_stats>()};
+      check(bdpt_render_get_technique_stats(render, t.s, t.t, &t.stats), "the render");
+      if (t.stats.energy > 0 || t.stats.contributions > 0) techniques.push_back(t);
+    }
+  return techniques;
+}
 
 void print_json(const RenderReport& report) {
   JsonWriter json;
@@ -61,6 +90,7 @@ void print_json(const RenderReport& report) {
   json.value("passes", report.stats.passes);
   json.value("samples", report.stats.samples);
   write_work(json, report.stats);
+  write_techniques(json, report.techniques);
   json.open("film");
   json.value("passes", report.film.passes);
   json.value("first_pass", report.film.first_pass);

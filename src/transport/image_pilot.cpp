@@ -1,0 +1,109 @@
+#include "transport/image_pilot.h"
+
+#include "sampling/hash.h"
+#include "transport/plan.h"
+
+namespace bdpt {
+
+namespace {
+
+// Of each region so many pixels a side, each so many times; where a sample's cost depends on the size of its block, as
+// many as fill one.
+constexpr int kSide = 2;
+constexpr uint32_t kPasses = 8;
+uint32_t passes_for(const Plan& plan) {
+  return plan.block_size > 0 && plan.passes == 1 ? plan.block_size / (kSide * kSide) : kPasses;
+}
+constexpr uint64_t kPool = 8192;
+
+class PilotTally : public Tally {
+ public:
+  PilotTally(const RegionGrid& grid, std::vector<RegionMeasure>& light, size_t pixels, uint32_t passes)
+      : grid_(grid), light_(light), sum_(pixels), squares_(pixels), passes_(passes) {}
+  void add_eye(uint32_t sample, const FilmPosition&, const Rgb& value) override {
+    const double v = double(norm(value));
+    sum_[sample % sum_.size()] += v;
+    squares_[sample % sum_.size()] += v * v;
+  }
+  void add_light(const FilmPosition& film, const Rgb& value) override {
+    const double v = double(norm(value));
+    RegionMeasure& region = light_[grid_.region(film)];
+    region.mean += v;
+    region.variance += v * v;
+  }
+  // The mean of the pixels, and the mean variance within one.
+  void finish(RegionMeasure& region) const {
+    const double n = passes_, pixels = double(sum_.size());
+    for (size_t i = 0; i < sum_.size(); ++i) {
+      region.mean += sum_[i] / n / pixels;
+      region.variance += std::max(0.0, squares_[i] - sum_[i] * sum_[i] / n) / (n - 1) / pixels;
+    }
+  }
+
+ private:
+  const RegionGrid& grid_;
+  std::vector<RegionMeasure>& light_;
+  std::vector<double> sum_, squares_;  // by pixels
+  uint32_t passes_;
+};
+
+}  // namespace
+
+ImagePilot::ImagePilot(const Engine& engine)
+    : engine_(engine), grid_(engine.bounds), passes_(passes_for(engine.plan)), regions_(grid_.count()) {
+  if (engine.plan.pooled) pool_.begin(kPool);
+  const size_t tasks = pool_tasks() + row_tasks();
+  light_.assign(tasks, std::vector<RegionMeasure>(grid_.count()));
+  pool_rays_.assign(pool_tasks(), 0);
+}
+
+void ImagePilot::fill_pool(Block& block, uint32_t task) {
+  const uint64_t before = block.stats().rays();
+  PilotTally tally(grid_, light_[task], 1, 1);
+  pool_.fill(block, kPilotPass, task, &tally);
+  pool_rays_[task] = block.stats().rays() - before;
+}
+
+void ImagePilot::run_row(Block& block, uint32_t row) {
+  for (int column = 0; column < grid_.columns(); ++column) {
+    const RegionGrid::Rect r = grid_.rect(column, int(row));
+    const int w = std::min(kSide, r.x1 - r.x0), h = std::min(kSide, r.y1 - r.y0);
+    const uint64_t place = hash_values(engine_.seed, 7, row, column);
+    const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
+    const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
+    PilotTally tally(grid_, light_[pool_tasks() + row], size_t(w) * size_t(h), passes_);
+    const uint64_t before = block.stats().rays();
+    block.run_pilot(passes_, {x, y, x + w, y + h}, engine_.plan.pooled ? &pool_ : nullptr, tally);
+    RegionMeasure& region = regions_[size_t(row) * size_t(grid_.columns()) + size_t(column)];
+    tally.finish(region);
+    region.rays = double(block.stats().rays() - before) / (double(passes_) * w * h);
+  }
+}
+
+std::vector<RegionMeasure> ImagePilot::measures() const {
+  std::vector<RegionMeasure> measures = regions_;
+  double pool_rays = 0;
+  for (uint64_t n : pool_rays_) pool_rays += double(n) / double(kPool) * engine_.options.light_samples;
+  uint64_t pixels = 0;
+  for (int row = 0; row < grid_.rows(); ++row)
+    for (int column = 0; column < grid_.columns(); ++column) {
+      const RegionGrid::Rect r = grid_.rect(column, row);
+      pixels += uint64_t(std::min(kSide, r.x1 - r.x0)) * uint64_t(std::min(kSide, r.y1 - r.y0));
+    }
+  // The light subpaths of a pass for one of the pilot's: each hit is one of few, so that its variance is its square.
+  const double traced = engine_.plan.pooled ? double(kPool) : double(pixels) * passes_ * engine_.options.light_samples;
+  for (int row = 0; row < grid_.rows(); ++row)
+    for (int column = 0; column < grid_.columns(); ++column) {
+      const size_t i = size_t(row) * size_t(grid_.columns()) + size_t(column);
+      const RegionGrid::Rect r = grid_.rect(column, row);
+      const double scale = double(engine_.light_per_pass()) / traced / (double(r.x1 - r.x0) * (r.y1 - r.y0));
+      for (const std::vector<RegionMeasure>& task : light_) {
+        measures[i].mean += task[i].mean * scale;
+        measures[i].variance += task[i].variance * scale;
+      }
+      measures[i].rays += pool_rays;
+    }
+  return measures;
+}
+
+}  // namespace bdpt

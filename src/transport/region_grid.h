@@ -1,0 +1,56 @@
+// An image in regions, for what a pilot learns of each.
+#pragma once
+
+#include "sensor/sensor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace bdpt {
+
+// What a pilot learned of a region.
+struct RegionMeasure {
+  double mean = 0;      // of a pixel
+  double variance = 0;  // of a pixel's value by one sample of it and one pass of light subpaths
+  double rays = 0;      // of one sample with its light subpaths
+};
+
+class RegionGrid {
+ public:
+  struct Rect {
+    int x0, y0, x1, y1;
+  };
+
+  RegionGrid() = default;
+  explicit RegionGrid(const SampleBounds& bounds)
+      : bounds_(bounds), columns_(divide(bounds.x1 - bounds.x0)), rows_(divide(bounds.y1 - bounds.y0)) {}
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  size_t count() const { return size_t(columns_) * size_t(rows_); }
+  size_t region(const FilmPosition& film) const {
+    const auto place = [](float v, int first, int last, int n) {
+      return int(int64_t(std::clamp(int(std::floor(v)), first, last - 1) - first) * n / (last - first));
+    };
+    return size_t(place(film.y, bounds_.y0, bounds_.y1, rows_)) * size_t(columns_) +
+           size_t(place(film.x, bounds_.x0, bounds_.x1, columns_));
+  }
+  // Its pixels.
+  Rect rect(int column, int row) const {
+    const auto edge = [](int first, int last, int i, int n) {
+      return first + int((int64_t(last - first) * i + n - 1) / n);
+    };
+    return {edge(bounds_.x0, bounds_.x1, column, columns_), edge(bounds_.y0, bounds_.y1, row, rows_),
+            edge(bounds_.x0, bounds_.x1, column + 1, columns_), edge(bounds_.y0, bounds_.y1, row + 1, rows_)};
+  }
+
+ private:
+  // At most 32 a side, and at least 8 pixels each.
+  static int divide(int pixels) { return std::clamp(pixels / 8, 1, 32); }
+
+  SampleBounds bounds_;
+  int columns_ = 0, rows_ = 0;
+};
+
+}  // namespace bdpt
