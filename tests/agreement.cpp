@@ -125,7 +125,7 @@ double student_quantile(double chance, double degrees) {
 }
 
 Agreement compare_blocks(const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b,
-                         const std::vector<std::uint32_t>& skipped) {
+                         const std::vector<std::uint32_t>& skipped, bool paired) {
   Agreement result;
   const double chance = result.family_chance / double(a.size() - skipped.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -133,9 +133,16 @@ Agreement compare_blocks(const std::vector<std::vector<double>>& a, const std::v
     const Mean x = mean_of(a[i]), y = mean_of(b[i]);
     const double vx = x.error * x.error, vy = y.error * y.error;
     if (!(y.value > 0)) continue;  // carries no light
-    // Welch's test.
-    const double degrees = (vx + vy) * (vx + vy) / (vx * vx / x.degrees + vy * vy / y.degrees);
-    const double threshold = student_quantile(chance, degrees) * std::sqrt(vx + vy);
+    // Welch's test, or that of the differences.
+    double degrees = (vx + vy) * (vx + vy) / (vx * vx / x.degrees + vy * vy / y.degrees);
+    double error = std::sqrt(vx + vy);
+    if (paired) {
+      std::vector<double> differences;
+      for (std::size_t k = 0; k < a[i].size(); ++k) differences.push_back(a[i][k] - b[i][k]);
+      error = mean_of(differences).error;
+      degrees = x.degrees;
+    }
+    const double threshold = student_quantile(chance, degrees) * error;
     result.worst = std::max(result.worst, std::fabs(x.value - y.value) / threshold);
     result.widest = std::max(result.widest, threshold / y.value);
     char line[200];

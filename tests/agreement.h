@@ -58,7 +58,9 @@ struct Agreement {
   double family_chance = 0.01;  // that any block of a true agreement fails
   std::string table;
 };
+// paired: both were rendered from the same seeds, so that what their common eye subpaths find alike, rare bright paths
+// that s = 0 alone can make, is no noise of the difference.
 Agreement compare_blocks(const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b,
-                         const std::vector<std::uint32_t>& skipped);
+                         const std::vector<std::uint32_t>& skipped, bool paired = false);
 
 }  // namespace bdpt_tool

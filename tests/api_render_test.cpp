@@ -60,6 +60,12 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
   refused([](auto& d) { d.reserved = 1; });
+  EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; }));
+  EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_FIXED, d.shadow_threshold = 0.1f; }));
+  refused([](auto& d) { d.shadow_roulette = 3; });
+  refused([](auto& d) { d.shadow_threshold = 0.1f; });
+  for (float threshold : {0.0f, -1.0f, kNan, std::numeric_limits<float>::infinity()})
+    refused([=](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_FIXED, d.shadow_threshold = threshold; });
   // Nothing that was refused holds the film.
   EXPECT_NE(nullptr, world_.render());
 }
@@ -157,6 +163,44 @@ TEST_F(ApiRender, APlanOfPoolsTakesItsPassesAtOnce) {
 }
 
 // A pool over the context's limit is refused before any work.
+// What the techniques did adds up to what the render did.
+TEST_F(ApiRender, TechniquesAreCounted) {
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY;
+  bdpt_render* handle = nullptr;
+  ASSERT_OK(bdpt_render_create(world_.scene.get(), world_.sensor.get(), world_.film.get(), &desc, &handle));
+  const Render render(handle);
+  bdpt_advance_desc advance = passes(4);
+  ASSERT_OK(bdpt_render_advance(render.get(), &advance, nullptr));
+  bdpt_render_stats stats = make<bdpt_render_stats>();
+  ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
+  uint64_t rays = 0, blocked = 0, skipped = 0;
+  double energy = 0, squares = 0, seconds = 0;
+  for (uint32_t s = 0; s < 32; ++s)
+    for (uint32_t t = s < 2 ? 2 - s : 0; t < 32; ++t) {
+      bdpt_technique_stats one = make<bdpt_technique_stats>();
+      ASSERT_OK(bdpt_render_get_technique_stats(render.get(), s, t, &one)) << s << ' ' << t;
+      if (s == 0 || t == 0) {
+        EXPECT_EQ(0u, one.shadow_rays + one.contributions);
+      }
+      EXPECT_EQ(one.contributions, one.shadow_rays + one.shadow_rays_skipped);
+      rays += one.shadow_rays, blocked += one.shadow_rays_blocked, skipped += one.shadow_rays_skipped;
+      energy += one.energy, squares += one.squares, seconds += one.seconds;
+    }
+  EXPECT_EQ(stats.shadow_rays, rays);
+  EXPECT_EQ(stats.shadow_rays_blocked, blocked);
+  EXPECT_EQ(stats.shadow_rays_skipped, skipped);
+  EXPECT_GT(skipped, 0u);
+  EXPECT_NEAR(1, energy, 1e-9);
+  EXPECT_NEAR(1, squares, 1e-9);
+  EXPECT_NEAR(stats.seconds_connect + stats.seconds_shadow, seconds, 1e-9 + 0.01 * seconds);
+  bdpt_technique_stats one = make<bdpt_technique_stats>();
+  for (const auto& [s, t] : std::vector<std::pair<uint32_t, uint32_t>>{{0, 0}, {1, 0}, {0, 1}, {32, 2}, {2, 32}})
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_render_get_technique_stats(render.get(), s, t, &one)) << s << ' ' << t;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_render_get_technique_stats(nullptr, 1, 2, &one));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_render_get_technique_stats(render.get(), 1, 2, nullptr));
+}
+
 TEST(ApiRenderPool, OverTheMemoryLimitIsRefused) {
   const World free;
   const uint64_t used = memory_in_use(free.context.get());

@@ -160,6 +160,9 @@ TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
   });
   check<bdpt_render_stats>("bdpt_render_stats", 128, make<bdpt_render_stats>(),
                            [&](bdpt_render_stats* s) { return bdpt_render_get_stats(render.get(), s); });
+  check<bdpt_technique_stats>("bdpt_technique_stats", 64, make<bdpt_technique_stats>(), [&](bdpt_technique_stats* s) {
+    return bdpt_render_get_technique_stats(render.get(), 1, 2, s);
+  });
   float pixel[3] = {0.5f, 0.5f, 0.5f};
   check<bdpt_display_desc>("bdpt_display_desc", 48, make<bdpt_display_desc>(),
                            [&](bdpt_display_desc* d) { return bdpt_image_display(d, pixel, 1, 1); });

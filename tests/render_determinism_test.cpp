@@ -163,7 +163,7 @@ TEST_P(RenderDeterminism, CancelledAndLeft) {
   int calls = 0;
   Backwards backwards;
   backwards.between = [&] {
-    if (++calls == 30) cancel = true;
+    if (++calls == 33) cancel = true;
   };
   auto film = new_film();
   {

@@ -92,6 +92,10 @@ for name in path light two-way pooled matrix combinatorial; do
 done
 expect 0 '' render box.pbrt -o m.exr --spp 8 --integrator matrix --connections 2 --pool-passes 4 --order hilbert \
   --partners latin-hypercube
+expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette efficiency --json
+grep -q '"1x2": {"energy": 0\.' stdout.txt || fail "no statistics of techniques"
+expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette fixed --roulette-threshold 0.01
+expect 3 '^bdpt: .*shadow_threshold.*above 0' render box.pbrt -o r.exr --roulette fixed
 expect 2 '^bdpt: .*--integrator' render box.pbrt -o a.exr --integrator guess
 expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --integrator pooled --connections 0
 expect 3 '^bdpt: .*connections.*does not choose' render box.pbrt -o a.exr --integrator two-way --connections 2

@@ -11,7 +11,12 @@
 namespace bdpt {
 
 template <class T>
-inline constexpr uint32_t kVersion1Size = 0;
+constexpr uint32_t unlisted() {
+  static_assert(sizeof(T) == 0, "give the struct a line below");
+  return 0;
+}
+template <class T>
+inline constexpr uint32_t kVersion1Size = unlisted<T>();
 
 #define BDPT_VERSION_1_SIZE(type, size)                 \
   template <>                                           \
@@ -40,6 +45,7 @@ BDPT_VERSION_1_SIZE(bdpt_output_sink, 40);
 BDPT_VERSION_1_SIZE(bdpt_advance_desc, 64);
 BDPT_VERSION_1_SIZE(bdpt_advance_report, 40);
 BDPT_VERSION_1_SIZE(bdpt_render_stats, 128);
+BDPT_VERSION_1_SIZE(bdpt_technique_stats, 64);
 BDPT_VERSION_1_SIZE(bdpt_display_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
 #undef BDPT_VERSION_1_SIZE

@@ -47,7 +47,6 @@ void Block::extend() {
 void Block::connect_ends() {
   {
     StageTimer timer(stats_.connect);
-    roulette_key_ = ~0ull;
     const uint32_t max_edges = engine_.max_edges();
     for (const Arrival& a : arrivals_) {
       const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
