@@ -62,6 +62,7 @@ inline Material dielectric(float ior, float alpha = 0) {
 
 struct MeshData {
   std::vector<Vec3> positions, normals;
+  std::vector<Vec2> uv;
   std::vector<Triangle> triangles;
 
   // Front where a, b, c, d turn counter-clockwise.
@@ -142,6 +143,7 @@ inline std::shared_ptr<const Mesh> make_mesh(const MeshData& data) {
   mesh->positions_padded = true;
   mesh->triangles = View<Triangle>(own->triangles.data(), own->triangles.size(), sizeof(Triangle));
   mesh->normals = View<Vec3>(own->normals.data(), own->normals.size(), sizeof(Vec3));
+  mesh->uv[0] = View<Vec2>(own->uv.data(), own->uv.size(), sizeof(Vec2));
   mesh->content_hash = hash_bytes(own->positions.data(), data.positions.size() * sizeof(Vec3));
   mesh->keepers.push_back(own);
   return mesh;
@@ -168,6 +170,8 @@ class Builder {
     desc_.materials.push_back(material);
     return add_instance(int(desc_.shapes.size()) - 1, int(desc_.materials.size()) - 1, transform);
   }
+  // The number that the next shape and its material get.
+  int next_shape() const { return int(desc_.shapes.size()); }
   Builder& add_instance(int shape, int material, const Transform& transform) {
     InstanceDesc instance;
     instance.shape = shape;
@@ -175,6 +179,10 @@ class Builder {
     instance.transform = transform;
     desc_.instances.push_back(instance);
     return *this;
+  }
+  int add_texture(Texture texture) {
+    desc_.textures.push_back(std::make_shared<const Texture>(std::move(texture)));
+    return int(desc_.textures.size()) - 1;
   }
   Builder& point(const Vec3& position, const Rgb& intensity) {
     LightDesc l;
