@@ -199,6 +199,7 @@ INSTANTIATE_TEST_SUITE_P(All, RenderDeterminism,
                                            Kind{"two-way", SamplerType::Sobol, "two-way"},
                                            Kind{"pooled", SamplerType::Sobol, "pooled", 2},
                                            Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+                                           Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                                            Kind{"combinatorial", SamplerType::Independent, "combinatorial"}));
 
 }  // namespace

@@ -66,6 +66,9 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.partners = static_cast<Partners>(desc.partners);
   if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
+  if (desc.light_samples > 1 && !plan.light_samples)
+    subject.refuse("light_samples", "is ", desc.light_samples, ", but the plan ", plan.name,
+                   " takes one light subpath with an eye subpath: give 0 or 1, or another plan");
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
   options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);
   return options;
@@ -165,6 +168,8 @@ bdpt_result bdpt_render_get_stats(const bdpt_render* render, bdpt_render_stats* 
     result.seconds_connect = from.connect;
     result.seconds_shadow = from.shadow;
     result.seconds_accumulate = from.accumulate;
+    result.mutations = from.mutations;
+    result.accepted = from.accepted;
     write_struct(result, stats);
   });
 }

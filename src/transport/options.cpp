@@ -17,6 +17,7 @@ uint64_t TransportOptions::hash() const {
   if (connections != 0 || light_samples != 1 || pool_passes != 0)
     h = hash_values(h, connections, light_samples, pool_passes);
   if (order != Order::Metric || partners != Partners::Sobol) h = hash_values(h, int(order), int(partners));
+  if (chain_pixels != 0 || chain_candidates != 0) h = hash_values(h, chain_pixels, chain_candidates);
   return h;
 }
 

@@ -37,6 +37,10 @@ void write_work(JsonWriter& json, const bdpt_render_stats& stats) {
   json.value("shadow_blocked", stats.shadow_rays_blocked);
   json.close();
   json.value("connections", stats.connections);
+  if (stats.mutations > 0) {
+    json.value("mutations", stats.mutations);
+    json.value("accepted", stats.accepted);
+  }
   json.open("thread_seconds");
   json.value("start", stats.seconds_start);
   json.value("extend", stats.seconds_extend);
