@@ -655,9 +655,9 @@ typedef struct bdpt_render_desc {
   const char *plan;             /* name of a connection plan, see bdpt_plan_name; NULL = "one-to-one" */
   uint32_t connections;         /* m: light vertices that each eye vertex meets (pooled; matrix: of each length),
                                    [1,1024]; 0 = the plan's own number, and all that other plans take */
-  uint32_t light_samples;       /* light subpaths for each eye subpath, [1,1024]; 0 = 1 */
-  uint32_t pool_passes;         /* matrix: passes rendered at once, [1,64]; 0 = 8. first_pass and the number of passes
-                                   must be multiples of it */
+  uint32_t light_samples;       /* light subpaths for each eye subpath, [1,1024]; 0 = 1, and all that mmlt takes */
+  uint32_t pool_passes;         /* matrix, mmlt: passes rendered at once, [1,64]; 0 = 8 (mmlt: 16). first_pass and the
+                                   number of passes must be multiples of it */
   bdpt_order order;             /* matrix: how subpaths are put in order */
   bdpt_partners partners;       /* matrix: how light subpaths are chosen in that order */
   bdpt_shadow_roulette shadow_roulette;
@@ -672,6 +672,10 @@ typedef struct bdpt_render_desc {
  * matrix         every eye vertex and one light vertex of each length, stratified over pools of pool_passes passes in
  *                squares of 256 pixels: Chaitanya et al. (2018)
  * combinatorial  every pair within pools of 64 samples: Pajot et al. (2011); slow, to measure others by
+ * mmlt           multiplexed Metropolis light transport, Hachisuka et al. (2014): Markov chains of paths, each of a pool
+ *                of pool_passes passes in a square of 1024 pixels; a pass has as many mutations as it has pixels. Chains
+ *                measure all over the film, so that its image is normalised by the number of samples, whatever the
+ *                film's normalization. Unbiased; to compare with
  * Returns: the name of plan number `index`, and a line about it; NULL past the last. Threads: any thread.
  * Callbacks: allowed. Ownership: the library's, for ever. */
 BDPT_API const char *bdpt_plan_name(uint32_t index);
@@ -744,7 +748,8 @@ typedef struct bdpt_render_stats {
   uint32_t struct_size;
   uint32_t reserved;
   uint64_t passes;            /* whole passes by this render */
-  uint64_t samples;           /* eye subpaths; as many light subpaths where light subpaths are traced */
+  uint64_t samples;           /* eye subpaths; as many light subpaths where light subpaths are traced. mmlt: one for each
+                                 pixel and pass, whatever its chains trace */
   uint64_t eye_rays;          /* rays that extended an eye subpath */
   uint64_t light_rays;        /* rays that extended a light subpath */
   uint64_t shadow_rays;       /* rays that tested a connection */
@@ -759,6 +764,8 @@ typedef struct bdpt_render_stats {
   double seconds_shadow;      /*   shadow rays */
   double seconds_accumulate;  /*   into the film */
   uint64_t shadow_rays_skipped; /* by the shadow rays' roulette */
+  uint64_t mutations;         /* of Markov chains (mmlt): proposals, and how many became the state */
+  uint64_t accepted;
 } bdpt_render_stats;
 
 /* Tells what a render has done so far.

@@ -32,7 +32,7 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   };
   EXPECT_OK(try_render([](auto& d) { d.max_edges = 5, d.roulette_start = 1, d.block_size = 1; }));
   for (uint32_t i = 0; bdpt_plan_name(i); ++i) {
-    EXPECT_OK(try_render([&](auto& d) { d.plan = bdpt_plan_name(i), d.light_samples = 2; })) << bdpt_plan_name(i);
+    EXPECT_OK(try_render([&](auto& d) { d.plan = bdpt_plan_name(i); })) << bdpt_plan_name(i);
     EXPECT_NE(nullptr, bdpt_plan_summary(i));
   }
   EXPECT_EQ(nullptr, bdpt_plan_name(~0u));
@@ -53,7 +53,10 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.connections = 2; });  // one-to-one does not choose
   refused([](auto& d) { d.plan = "two-way", d.connections = 2; });
   refused([](auto& d) { d.plan = "pooled", d.connections = 1025; });
+  EXPECT_OK(try_render([](auto& d) { d.light_samples = 2; }));
   refused([](auto& d) { d.light_samples = 1025; });
+  refused([](auto& d) { d.plan = "mmlt", d.light_samples = 2; });
+  refused([](auto& d) { d.plan = "mmlt", d.connections = 1; });
   refused([](auto& d) { d.pool_passes = 8; });
   refused([](auto& d) { d.plan = "matrix", d.pool_passes = 65; });
   refused([](auto& d) { d.plan = "matrix", d.first_pass = 4; });  // cuts through a pool

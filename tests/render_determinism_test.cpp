@@ -201,6 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"stratified", SamplerType::Stratified, "one-to-one"},
                       Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+                      Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"combinatorial", SamplerType::Independent, "combinatorial"},
                       Kind{"roulette", SamplerType::Sobol, "one-to-one", 2, 1, Roulette::Efficiency},
                       Kind{"pooled roulette", SamplerType::Sobol, "pooled", 1, 1, Roulette::Efficiency},

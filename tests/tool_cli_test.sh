@@ -96,6 +96,11 @@ expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette efficiency --json
 grep -q '"1x2": {"energy": 0\.' stdout.txt || fail "no statistics of techniques"
 expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette fixed --roulette-threshold 0.01
 expect 3 '^bdpt: .*shadow_threshold.*above 0' render box.pbrt -o r.exr --roulette fixed
+expect 0 '' render box.pbrt -o mmlt.exr --spp 16 --integrator mmlt --pool-passes 4 --json
+grep -q '"mutations": [1-9]' stdout.txt || fail "mmlt: $(cat stdout.txt)"
+expect 0 '' compare mmlt.exr full.exr
+expect 3 '^bdpt: .*light_samples.*one light subpath' render box.pbrt -o a.exr --integrator mmlt --light-samples 2
+expect 3 '^bdpt: .*multiple of 16' render box.pbrt -o a.exr --integrator mmlt --spp 8
 expect 2 '^bdpt: .*--integrator' render box.pbrt -o a.exr --integrator guess
 expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --integrator pooled --connections 0
 expect 3 '^bdpt: .*connections.*does not choose' render box.pbrt -o a.exr --integrator two-way --connections 2

@@ -41,6 +41,7 @@ const std::vector<Way> kWays = {
     {"matrix", 4},
     {"matrix", 4, 3, 1, Order::Hilbert, Partners::LatinHypercube},
     {"matrix", 4, 1, 2, Order::None},
+    {"mmlt", 4},
 };
 
 TransportOptions options_of(const Way& way, int max_edges) {
@@ -160,7 +161,7 @@ TEST(TransportPlan, NamesAreUniqueAndFound) {
     EXPECT_EQ(find_plan(plan_at(count)->name), plan_at(count));
     EXPECT_STRNE(plan_at(count)->summary, "");
   }
-  EXPECT_EQ(count, 5u);
+  EXPECT_EQ(count, 6u);
   EXPECT_EQ(find_plan("no such plan"), nullptr);
   EXPECT_STREQ(plan_at(0)->name, "one-to-one");
 }

@@ -66,6 +66,9 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.partners = static_cast<Partners>(desc.partners);
   subject.check_enum("shadow_roulette", desc.shadow_roulette, BDPT_SHADOW_ROULETTE_EFFICIENCY);
   options.shadow_roulette = static_cast<Roulette>(desc.shadow_roulette);
+  if (options.shadow_roulette != Roulette::None && !plan.shadow_roulette)
+    subject.refuse("shadow_roulette", "is set, but the plan ", plan.name,
+                   " tests all its connections: give none, or another plan");
   const bool fixed = options.shadow_roulette == Roulette::Fixed;
   if (fixed ? !(desc.shadow_threshold > 0 && std::isfinite(desc.shadow_threshold)) : desc.shadow_threshold != 0)
     subject.refuse("shadow_threshold", "is ", desc.shadow_threshold,
@@ -73,6 +76,9 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.shadow_threshold = desc.shadow_threshold;
   if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
+  if (desc.light_samples > 1 && !plan.light_samples)
+    subject.refuse("light_samples", "is ", desc.light_samples, ", but the plan ", plan.name,
+                   " takes one light subpath with an eye subpath: give 0 or 1, or another plan");
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
   options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);
   return options;
@@ -173,6 +179,8 @@ bdpt_result bdpt_render_get_stats(const bdpt_render* render, bdpt_render_stats* 
     result.seconds_shadow = from.shadow;
     result.seconds_accumulate = from.accumulate;
     result.shadow_rays_skipped = from.shadow_rays_skipped;
+    result.mutations = from.mutations;
+    result.accepted = from.accepted;
     write_struct(result, stats);
   });
 }

@@ -115,13 +115,15 @@ void Film::add_eye_sample(const FilmPosition& film, const Rgb& value) {
   });
 }
 
-void Film::add_light_sample(const FilmPosition& film, const Rgb& value) {
+void Film::add_sample(Accumulator (PixelSums::*image)[3], const FilmPosition& film, const Rgb& value) {
   if (!fits(value)) {
     ++rejected_pass_;
     return;
   }
-  splat(film, [&](size_t pixel, float h) { add_rgb(pass_[pixel].light, value * h); });
+  splat(film, [&](size_t pixel, float h) { add_rgb(pass_[pixel].*image, value * h); });
 }
+void Film::add_light_sample(const FilmPosition& film, const Rgb& value) { add_sample(&PixelSums::light, film, value); }
+void Film::add_free_eye_sample(const FilmPosition& film, const Rgb& value) { add_sample(&PixelSums::eye, film, value); }
 
 void Film::add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value) {
   if (!has_technique(s, t) || !fits(value)) return;
@@ -195,7 +197,7 @@ struct Sums {
     weight += s.weight.value();
   }
   double eye_scale(bool by_weights, double passes) const {
-    if (by_weights) return weight > 0 ? 1 / weight : 0;
+    if (by_weights && weight != 0) return weight > 0 ? 1 / weight : 0;
     return passes > 0 ? 1 / passes : 0;
   }
 };

@@ -83,6 +83,8 @@ class Film {
   // too.
   void add_eye_sample(const FilmPosition& film, const Rgb& value);
   void add_light_sample(const FilmPosition& film, const Rgb& value);
+  // Of the eye image, but of no pixel: an eye image of such samples alone is normalised by their number.
+  void add_free_eye_sample(const FilmPosition& film, const Rgb& value);
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
   bool has_technique(int s, int t) const { return s + t >= 2 && s + t - 1 <= desc_.pyramid_edges; }
   // The pass in hand is `pass` and those that come with it.
@@ -120,6 +122,7 @@ class Film {
   size_t pixels() const { return size_t(desc_.width) * desc_.height; }
   template <class Add>
   void splat(const FilmPosition& film, Add&& add);
+  void add_sample(Accumulator (PixelSums::*image)[3], const FilmPosition& film, const Rgb& value);
   void read_group(int group, size_t pixel, double rgb[3]) const;
   uint64_t passes_in_group(int group) const;
 

@@ -15,41 +15,29 @@ constexpr size_t kConnectionsInFlight = 1024;
 }  // namespace
 
 void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
-  tally_ = nullptr;
-  run_samples(pass, uint32_t(engine_.pool_passes), rect, pool);
-}
-
-void Block::run_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool, Tally& tally) {
-  tally_ = &tally;
-  const uint64_t samples = stats_.samples;
-  run_samples(kPilotPass, passes, rect, pool);
-  stats_.samples = samples;
-}
-
-void Block::run_samples(uint64_t pass, uint32_t passes, const BlockRect& rect, const LightPool* pool) {
   pool_ = pool;
-  measures_ = true;
-  start_eyes(pass, passes, rect);
+  seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
+  stats_.samples += engine_.pool_passes * uint64_t(rect.x1 - rect.x0) * uint64_t(rect.y1 - rect.y0);
+  if (engine_.plan.run) return engine_.plan.run(*this, pass, rect);
+  start_pixels(pass, engine_.pool_passes, rect);
   extend();
-  if (engine_.keeps_vertices()) {
-    roulette_key_ = ~0ull;
-    const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
-    engine_.plan.connect(*this);
-    stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
-    shadow();
-  }
+  join_inner();
   accumulate();
 }
 
-void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept, Tally* tally) {
-  tally_ = tally;
-  measures_ = tally || pass < kPilotPass;
+void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept) {
+  keeps_ = pass >= kPilotPass;
+  kept_.clear();
   {
     StageTimer timer(stats_.start);
     start(0, count);
-    for (uint32_t i = 0; i < count; ++i) start_light(pass, first + i, i);
+    for (uint32_t i = 0; i < count; ++i) {
+      light_.streams[i] = engine_.light_stream(pass, first + i);
+      start_light(i, engine_.max_light);
+    }
   }
   extend();
+  keeps_ = false;
   std::swap(light_, kept);
 }
 
@@ -64,32 +52,36 @@ void Block::start(size_t eyes, size_t lights) {
   rays_.clear();
 }
 
-void Block::start_eyes(uint64_t pass, uint32_t passes, const BlockRect& rect) {
+void Block::start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect) {
   StageTimer timer(stats_.start);
   const SampleBounds& bounds = engine_.bounds;
-  const uint32_t samples = passes * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
-  seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
+  const uint32_t samples = uint32_t(passes) * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
+  // Within the pixel, whatever the rounding: x + u may come out as x + 1.
+  const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };
   const uint32_t lights = engine_.max_light > 0 && !pool_ ? uint32_t(engine_.options.light_samples) : 0;
+  // A subpath of one vertex more than the path's edges ends on the other side's first vertex.
+  const uint32_t most_eye = max_edges_ < engine_.max_eye ? max_edges_ + 1 : engine_.max_eye,
+                 most_light = max_edges_ < engine_.max_light ? max_edges_ + engine_.hit_sensor : engine_.max_light;
   start(samples, size_t(samples) * lights);
   uint32_t sample = 0;
   for (uint64_t p = pass; p < pass + passes; ++p)
     for (int y = rect.y0; y < rect.y1; ++y)
       for (int x = rect.x0; x < rect.x1; ++x, ++sample) {
         const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
-        start_eye(p, number, float(x), float(y), sample);
-        for (uint32_t l = 0; l < lights; ++l) start_light(p, number * lights + l, sample * lights + l);
+        const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
+        const Four u = engine_.draw_film(stream, p, number);
+        start_eye(sample, {within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, most_eye);
+        for (uint32_t l = 0; l < lights; ++l) {
+          light_.streams[sample * lights + l] = engine_.light_stream(p, number * lights + l);
+          start_light(sample * lights + l, most_light);
+        }
       }
-  stats_.samples += samples;
 }
 
-void Block::start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t sample) {
-  const Stream stream = eye_.streams[sample] = engine_.eye_stream(pass, number);
-  const Four u = engine_.draw_film(stream, pass, number);
+void Block::start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most) {
   EyeStart& z0 = eye_.starts[sample];
-  // Within the pixel, whatever the rounding: x + u may come out as x + 1.
-  const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };
-  z0 = engine_.sensor.start({within(x, u[0]), within(y, u[1])}, u.u + 2, engine_.bounds);
-  if (engine_.max_eye < 2) return;
+  z0 = engine_.sensor.start(film, lens, engine_.bounds);
+  if (most < 2) return;
   Walker w{};
   w.eye = true;
   w.origin = z0.p;
@@ -101,19 +93,19 @@ void Block::start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t
   w.sums = engine_.classes.t0;  // u_0: t = 0
   w.vertex = kNoVertex;
   w.count = 1;
+  w.most = most;
   w.sample = sample;
   push_walker(walkers_, rays_, w, z0.p);
 }
 
-void Block::start_light(uint64_t pass, uint64_t number, uint32_t light) {
-  const Stream stream = light_.streams[light] = engine_.light_stream(pass, number);
-  const Four u = engine_.draw(stream, 0, Purpose::Start), v = engine_.draw(stream, 0, Purpose::Direction);
+void Block::start_light(uint32_t light, uint32_t most) {
+  const Four u = draw(false, light, 0, Purpose::Start), v = draw(false, light, 0, Purpose::Direction);
   LightStart& y0 = light_.starts[light];
   if (!engine_.scene.lights().start(u.u, v.u, engine_.options.uniform_light_start, y0)) {
     y0.y0.light = -1;
     return;
   }
-  if (engine_.max_light < 2 || is_black(y0.weight)) return;
+  if (most < 2 || is_black(y0.weight)) return;
   Walker w{};
   w.eye = false;
   w.origin = y0.origin;
@@ -128,6 +120,7 @@ void Block::start_light(uint64_t pass, uint64_t number, uint32_t light) {
   w.sums = w.start_hittable ? engine_.classes.s0 : 0;  // u_0: s = 0
   w.vertex = kNoVertex;
   w.count = 1;
+  w.most = most;
   w.sample = light;
   push_walker(walkers_, rays_, w, y0.y0.infinite ? y0.origin : off_surface(y0.y0, y0.direction));
 }
@@ -137,7 +130,16 @@ void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, co
   rays.push_back({from, kInfinity, walker.direction});
 }
 
-// --- shadow and accumulate ---
+// --- plan, shadow and accumulate ---
+
+void Block::join_inner() {
+  if (!engine_.keeps_vertices()) return;
+  const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
+  roulette_key_ = ~0ull;
+  engine_.plan.connect(*this);
+  stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
+  shadow();
+}
 
 void Block::flush_if_full() {
   if (shadow_rays_.size() >= kConnectionsInFlight) shadow();
@@ -159,7 +161,7 @@ void Block::shadow() {
     else if (c.t >= 2)
       add_eye(c.sample, c.s, c.t, c.contribution);
     else
-      add_light(c.film, c.s, c.t, c.contribution);
+      add_light(c.sample, c.film, c.s, c.t, c.contribution);
   }
   shadow_rays_.clear();
   connections_.clear();
@@ -167,13 +169,7 @@ void Block::shadow() {
 
 void Block::accumulate() {
   StageTimer timer(stats_.accumulate);
-  for (uint32_t i = 0; i < eye_sums_.size(); ++i) {
-    const FilmPosition& film = eye_.starts[i].film;
-    if (tally_)
-      tally_->add_eye(i, film, eye_sums_[i]);
-    else
-      engine_.film.add_eye_sample(film, eye_sums_[i]);
-  }
+  for (size_t i = 0; i < eye_sums_.size(); ++i) engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i]);
 }
 
 void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
@@ -181,19 +177,26 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
     ++stats_.rejected;
     return;
   }
-  eye_sums_[sample] += value;
   count(s, t, value);
-  if (engine_.film.desc().pyramid_edges > 0 && !tally_)
+  if (keeps_) {
+    kept_.push_back({value, eye_.starts[sample].film, sample, s, t});
+    return;
+  }
+  eye_sums_[sample] += value;
+  if (engine_.film.desc().pyramid_edges > 0)
     engine_.film.add_technique_sample(int(s), int(t), eye_.starts[sample].film, value);
 }
 
-void Block::add_light(const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value) {
+void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value) {
   if (!is_finite(value)) {
     ++stats_.rejected;
     return;
   }
   count(s, t, value);
-  if (tally_) return tally_->add_light(film, value);
+  if (keeps_) {
+    kept_.push_back({value, film, light, s, t});
+    return;
+  }
   engine_.film.add_light_sample(film, value);
   if (engine_.film.desc().pyramid_edges > 0) engine_.film.add_technique_sample(int(s), int(t), film, value);
 }
@@ -244,7 +247,8 @@ size_t Block::memory() const {
   return eye_.memory() + light_.memory() + (walkers_.capacity() + next_walkers_.capacity()) * sizeof(Walker) +
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
-         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb);
+         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb) +
+         kept_.capacity() * sizeof(Contribution);
 }
 
 }  // namespace bdpt

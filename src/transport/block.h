@@ -9,7 +9,7 @@
 // are kept for the next one.
 #pragma once
 
-#include "transport/engine.h"
+#include "transport/chain.h"
 #include "transport/vertex.h"
 
 #include <vector>
@@ -45,26 +45,26 @@ using LightSubpaths = Subpaths<LightStart>;
 
 class LightPool;
 
-// Receives what a block measures, in place of the film: for pilots.
-class Tally {
- public:
-  virtual ~Tally() = default;
-  virtual void add_eye(uint32_t sample, const FilmPosition& film, const Rgb& value) = 0;
-  virtual void add_light(const FilmPosition& film, const Rgb& value) = 0;
+// What a technique measured, weighted.
+struct Contribution {
+  Rgb value;
+  FilmPosition film;
+  uint32_t sample, s, t;
 };
 
 class Block {
  public:
-  explicit Block(const Engine& engine) : engine_(engine) {}
+  explicit Block(const Engine& engine) : engine_(engine), max_edges_(engine.max_edges()) {}
   // The samples of some pixels, from the first vertex into the film. With a pool, eye subpaths alone.
   void run(uint64_t pass, const BlockRect& rect, const LightPool* pool = nullptr);
   // The light subpaths [first, first + count) of a pass, kept for a pool; those ends of theirs that need no eye subpath
-  // go into the film, or a pilot's tally; without one a pilot does not measure.
-  void run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept, Tally* tally = nullptr);
-  // A pilot's samples: so many of its passes at once, in this order: pass, row, column.
-  void run_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool, Tally& tally);
+  // go into the film; those of a pilot's pass are kept.
+  void run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept);
+  // What was kept, until the next call.
+  const std::vector<Contribution>& contributions() const { return kept_; }
 
   const TransportStats& stats() const { return stats_; }
+  TransportStats& stats() { return stats_; }
   TransportStats take_stats();
   const TechniqueTable& techniques() const { return techniques_; }  // since the block was made
   // Bytes of the buffers.
@@ -78,9 +78,7 @@ class Block {
   const LightPool& light_pool() const { return *pool_; }
   // For choices of a plan that belong to no subpath.
   uint64_t seed() const { return seed_; }
-  Four draw_eye(uint32_t sample, uint32_t vertex, Purpose purpose) const {
-    return engine_.draw(eye_.streams[sample], vertex, purpose);
-  }
+  Four draw_eye(uint32_t sample, uint32_t vertex, Purpose purpose) { return draw(true, sample, vertex, purpose); }
   // Calls visit(z, sample) for each eye vertex that can be joined, from each subpath's end to its start.
   template <class Visit>
   void each_eye_vertex(Visit&& visit) {
@@ -94,10 +92,26 @@ class Block {
   bool allows(const Vertex& y, const Vertex& z) const {
     return y.count + z.count - 1 <= engine_.max_edges() && engine_.allows(y.count, z.count);
   }
+  // The same for subpaths of one sample, which may be a chain's and then takes one technique alone.
+  bool takes(uint32_t s, uint32_t t, uint32_t sample) const {
+    return s + t - 1 <= max_edges_ && engine_.allows(s, t) && (!chains_ || chains_[sample].proposes(s, t));
+  }
   // s >= 2, t >= 2; y is one of as many as `count` says that z meets. light: what y's links point into.
   void connect(const Vertex& y, const Vertex& z, uint32_t sample, float count, const LightSubpaths& light);
   // Tests the connections made so far, when there are many; plans call it between samples.
   void flush_if_full();
+
+  // For plans that choose their samples themselves (Plan::run). Nothing goes into the film: the contributions are
+  // returned, and stand until the next call.
+  //
+  // One sample of each pixel of a pass, paths of at most max_edges.
+  const std::vector<Contribution>& sample_pixels(uint64_t pass, const BlockRect& rect, uint32_t max_edges);
+  // Samples all over the film.
+  const std::vector<Contribution>& sample_film(const std::vector<StreamPair>& streams);
+  // A pilot's: so many of its passes at once, in this order: pass, row, column.
+  const std::vector<Contribution>& sample_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool);
+  // What chains propose, each with its own technique alone: at most one contribution of each.
+  const std::vector<Contribution>& sample_chains(std::vector<Chain>& chains);
 
  private:
   // The front end of a subpath: about to find its next vertex.
@@ -112,6 +126,7 @@ class Block {
     float direct;
     uint32_t vertex;  // the last vertex; kNoVertex for y_0 and z_0
     uint32_t count;   // vertices so far
+    uint32_t most;    // vertices that the subpath may have
     uint32_t sample;  // number of the subpath within its side
     bool eye, specular, infinite, start_hittable, start_finite;
   };
@@ -131,11 +146,18 @@ class Block {
     double eye_at_y = 0, eye_before_y = 0;      // x_{s-1} and x_{s-2} by the eye's side
   };
 
+  // The numbers of a subpath: its stream's, or its chain's.
+  Four draw(bool eye, uint32_t subpath, uint32_t vertex, Purpose purpose) {
+    if (chains_) return chains_[subpath].draw(engine_, eye, vertex, purpose);
+    return engine_.draw((eye ? eye_.streams : light_.streams)[subpath], vertex, purpose);
+  }
   void start(size_t eyes, size_t lights);
-  void run_samples(uint64_t pass, uint32_t passes, const BlockRect& rect, const LightPool* pool);
-  void start_eyes(uint64_t pass, uint32_t passes, const BlockRect& rect);
-  void start_eye(uint64_t pass, uint64_t number, float x, float y, uint32_t sample);
-  void start_light(uint64_t pass, uint64_t number, uint32_t light);
+  void start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect);
+  void start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most);
+  void start_light(uint32_t light, uint32_t most);
+  FilmPosition spread(const Four& u) const;
+  const std::vector<Contribution>& measure();
+  void join_inner();
   void extend();
   void trace();
   void push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from);
@@ -156,7 +178,7 @@ class Block {
 
   float technique(const Walker& walker, const Vertex& vertex) const;
   void add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value);
-  void add_light(const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value);
+  void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value);
   void count(uint32_t s, uint32_t t, const Rgb& value);
   void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
                        const FilmPosition& film = {0, 0});
@@ -171,8 +193,10 @@ class Block {
   EyeSubpaths eye_;
   LightSubpaths light_;
   const LightPool* pool_ = nullptr;
-  bool measures_ = true;    // a pilot need not
-  Tally* tally_ = nullptr;  // nullptr: the film
+  uint32_t max_edges_;       // of the paths in hand
+  Chain* chains_ = nullptr;  // of the samples in hand, if they are chains'
+  bool keeps_ = false;       // contributions, instead of adding them to the film
+  std::vector<Contribution> kept_;
   uint64_t seed_ = 0;
   std::vector<Rgb> eye_sums_;
   std::vector<Walker> walkers_, next_walkers_;

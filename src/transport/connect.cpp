@@ -44,7 +44,7 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
 void Block::connect_to_light(const Vertex& z, uint32_t sample) {
   ++stats_.connections;
   const Lights& lights = engine_.scene.lights();
-  const Four u = engine_.draw(eye_.streams[sample], z.count, Purpose::Connect);
+  const Four u = draw(true, sample, z.count, Purpose::Connect);
   DirectLight light;
   if (!lights.sample_direct(z.p, u.u, light)) return;
   const LightPoint& y0 = light.y0;
@@ -89,7 +89,7 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
 
 void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   ++stats_.connections;
-  const Four u = engine_.draw(light_.streams[light], y.count, Purpose::Connect);
+  const Four u = draw(false, light, y.count, Purpose::Connect);
   SensorPoint z0;
   if (!engine_.sensor.sample_toward(y.p, u.u, engine_.bounds, z0)) return;
   const Vec3 edge = z0.p - y.p;
@@ -126,7 +126,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
   const LightPoint& y0 = start.y0;
   if (y0.infinite) return;  // a light without a point is seen by s = 0 alone
   ++stats_.connections;
-  const Four u = engine_.draw(light_.streams[light], 1, Purpose::Connect);
+  const Four u = draw(false, light, 1, Purpose::Connect);
   SensorPoint z0;
   if (!engine_.sensor.sample_toward(y0.p, u.u, engine_.bounds, z0)) return;
   const Vec3 edge = z0.p - y0.p;

@@ -11,9 +11,10 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 }
 
 void Block::extend() {
-  if (measures_ && engine_.allows(1, 1)) {
+  if (engine_.allows(1, 1)) {
     StageTimer timer(stats_.connect);
-    for (uint32_t light = 0; light < light_.count(); ++light) connect_start_to_sensor(light);
+    for (uint32_t light = 0; light < light_.count(); ++light)
+      if (takes(1, 1, light)) connect_start_to_sensor(light);
   }
   while (!walkers_.empty()) {
     {
@@ -25,8 +26,7 @@ void Block::extend() {
       for (size_t i = 0; i < walkers_.size(); ++i) {
         const Walker& w = walkers_[i];
         ++(w.eye ? stats_.eye_rays : stats_.light_rays);
-        if (!w.eye && engine_.hit_sensor && measures_)
-          hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
+        if (!w.eye && engine_.hit_sensor) hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
         if (hits_[i].instance == kMiss)
           escape(w);
         else
@@ -35,7 +35,7 @@ void Block::extend() {
       std::swap(walkers_, next_walkers_);
       std::swap(rays_, next_rays_);
     }
-    if (measures_) connect_ends();
+    connect_ends();
     // A walker carries all that its weights need: a plan that joins no inner vertices has no use for them.
     if (!engine_.keeps_vertices()) eye_.vertices.clear(), light_.vertices.clear();
   }
@@ -47,13 +47,12 @@ void Block::extend() {
 void Block::connect_ends() {
   {
     StageTimer timer(stats_.connect);
-    const uint32_t max_edges = engine_.max_edges();
     for (const Arrival& a : arrivals_) {
       const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
-      if (v.specular || v.count > max_edges) continue;
+      if (v.specular) continue;
       if (a.eye) {
-        if (engine_.allows(1, v.count) && !is_black(v.throughput)) connect_to_light(v, a.sample);
-      } else if (engine_.allows(v.count, 1)) {
+        if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
+      } else if (takes(v.count, 1, a.sample)) {
         connect_to_sensor(v, a.sample);
       }
     }
@@ -118,7 +117,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   (w.eye ? eye_.last : light_.last)[w.sample] = index;
   arrivals_.push_back({index, w.sample, w.eye});
 
-  if (w.eye && surface.light >= 0 && engine_.allows(0, v.count)) {
+  if (w.eye && surface.light >= 0 && takes(0, v.count, w.sample)) {
     LightPoint x0;
     x0.light = surface.light;
     x0.has_area = true;
@@ -127,12 +126,12 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
     const Rgb radiance = engine_.scene.lights().radiance(surface.light, v.ng, v.previous);
     if (!is_black(radiance)) hit_light(w, v, x0, radiance);
   }
-  if (v.count < (w.eye ? engine_.max_eye : engine_.max_light)) continue_walk(w, v, index);
+  if (v.count < w.most) continue_walk(w, v, index);
 }
 
 void Block::escape(const Walker& w) {
   const Lights& lights = engine_.scene.lights();
-  if (!w.eye || !lights.has_environment() || !engine_.allows(0, w.count + 1)) return;
+  if (!w.eye || !lights.has_environment() || !takes(0, w.count + 1, w.sample)) return;
   LightPoint x0;
   x0.light = lights.environment();
   x0.infinite = true;
@@ -178,7 +177,7 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   // Not straight from a light without a point: its rays need not cover a lens that lies outside of the scene.
   if (w.infinite) return;
   const uint32_t s = w.count + 1;
-  if (!engine_.allows(s, 0) || w.count > engine_.max_edges()) return;
+  if (!takes(s, 0, w.sample)) return;
   SensorPoint z0;
   if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
   const float cosine = absdot(z0.normal, w.direction);
@@ -204,12 +203,12 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
     edge.eye_before_y = z0.density_direction * geometry;
     weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite, light_);
   }
-  add_light(z0.film, s, 0, w.throughput * (z0.importance * weight / engine_.counts.light));
+  add_light(w.sample, z0.film, s, 0, w.throughput * (z0.importance * weight / engine_.counts.light));
 }
 
 void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   const TransportMode mode = w.eye ? TransportMode::Radiance : TransportMode::Importance;
-  const Four u = engine_.draw((w.eye ? eye_.streams : light_.streams)[w.sample], v.count, Purpose::Scatter);
+  const Four u = draw(w.eye, w.sample, v.count, Purpose::Scatter);
   const float gp = v.previous_cosine_g, sp = v.previous_cosine_s;
   if (!(gp * sp > 0)) return;
   const Frame frame = v.material->is_anisotropic() ? Frame(v.ns, v.tangent) : Frame(v.ns);
@@ -244,6 +243,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.direct = v.direct;
   n.vertex = index;
   n.count = v.count;
+  n.most = w.most;
   n.sample = w.sample;
   n.eye = w.eye;
   n.specular = v.specular;

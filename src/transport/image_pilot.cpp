@@ -16,36 +16,13 @@ uint32_t passes_for(const Plan& plan) {
 }
 constexpr uint64_t kPool = 8192;
 
-class PilotTally : public Tally {
- public:
-  PilotTally(const RegionGrid& grid, std::vector<RegionMeasure>& light, size_t pixels, uint32_t passes)
-      : grid_(grid), light_(light), sum_(pixels), squares_(pixels), passes_(passes) {}
-  void add_eye(uint32_t sample, const FilmPosition&, const Rgb& value) override {
-    const double v = double(norm(value));
-    sum_[sample % sum_.size()] += v;
-    squares_[sample % sum_.size()] += v * v;
-  }
-  void add_light(const FilmPosition& film, const Rgb& value) override {
-    const double v = double(norm(value));
-    RegionMeasure& region = light_[grid_.region(film)];
-    region.mean += v;
-    region.variance += v * v;
-  }
-  // The mean of the pixels, and the mean variance within one.
-  void finish(RegionMeasure& region) const {
-    const double n = passes_, pixels = double(sum_.size());
-    for (size_t i = 0; i < sum_.size(); ++i) {
-      region.mean += sum_[i] / n / pixels;
-      region.variance += std::max(0.0, squares_[i] - sum_[i] * sum_[i] / n) / (n - 1) / pixels;
-    }
-  }
-
- private:
-  const RegionGrid& grid_;
-  std::vector<RegionMeasure>& light_;
-  std::vector<double> sum_, squares_;  // by pixels
-  uint32_t passes_;
-};
+// Each hit of the light image is one of few, so that its variance is its square.
+void add_light(const RegionGrid& grid, const Contribution& c, std::vector<RegionMeasure>& light) {
+  const double v = double(norm(c.value));
+  RegionMeasure& region = light[grid.region(c.film)];
+  region.mean += v;
+  region.variance += v * v;
+}
 
 }  // namespace
 
@@ -59,8 +36,8 @@ ImagePilot::ImagePilot(const Engine& engine)
 
 void ImagePilot::fill_pool(Block& block, uint32_t task) {
   const uint64_t before = block.stats().rays();
-  PilotTally tally(grid_, light_[task], 1, 1);
-  pool_.fill(block, kPilotPass, task, &tally);
+  pool_.fill(block, kPilotPass, task);
+  for (const Contribution& c : block.contributions()) add_light(grid_, c, light_[task]);
   pool_rays_[task] = block.stats().rays() - before;
 }
 
@@ -71,12 +48,28 @@ void ImagePilot::run_row(Block& block, uint32_t row) {
     const uint64_t place = hash_values(engine_.seed, 7, row, column);
     const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
     const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
-    PilotTally tally(grid_, light_[pool_tasks() + row], size_t(w) * size_t(h), passes_);
+    const size_t pixels = size_t(w) * size_t(h);
     const uint64_t before = block.stats().rays();
-    block.run_pilot(passes_, {x, y, x + w, y + h}, engine_.plan.pooled ? &pool_ : nullptr, tally);
+    std::vector<Rgb> samples(passes_ * pixels);
+    for (const Contribution& c :
+         block.sample_pilot(passes_, {x, y, x + w, y + h}, engine_.plan.pooled ? &pool_ : nullptr)) {
+      if (c.t >= 2)
+        samples[c.sample] += c.value;
+      else
+        add_light(grid_, c, light_[pool_tasks() + row]);
+    }
+    // The mean of the pixels, and the mean variance within one.
     RegionMeasure& region = regions_[size_t(row) * size_t(grid_.columns()) + size_t(column)];
-    tally.finish(region);
-    region.rays = double(block.stats().rays() - before) / (double(passes_) * w * h);
+    for (size_t pixel = 0; pixel < pixels; ++pixel) {
+      double sum = 0, squares = 0;
+      for (size_t i = pixel; i < samples.size(); i += pixels) {
+        const double value = double(norm(samples[i]));
+        sum += value, squares += value * value;
+      }
+      region.mean += sum / double(samples.size());
+      region.variance += std::max(0.0, squares - sum * sum / passes_) / (passes_ - 1) / double(pixels);
+    }
+    region.rays = double(block.stats().rays() - before) / double(samples.size());
   }
 }
 
@@ -90,7 +83,7 @@ std::vector<RegionMeasure> ImagePilot::measures() const {
       const RegionGrid::Rect r = grid_.rect(column, row);
       pixels += uint64_t(std::min(kSide, r.x1 - r.x0)) * uint64_t(std::min(kSide, r.y1 - r.y0));
     }
-  // The light subpaths of a pass for one of the pilot's: each hit is one of few, so that its variance is its square.
+  // The light subpaths of a pass for one of the pilot's.
   const double traced = engine_.plan.pooled ? double(kPool) : double(pixels) * passes_ * engine_.options.light_samples;
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {

@@ -8,9 +8,9 @@ void LightPool::begin(uint64_t subpaths) {
   entries_.clear();
 }
 
-void LightPool::fill(Block& block, uint64_t pass, uint32_t piece, Tally* tally) {
+void LightPool::fill(Block& block, uint64_t pass, uint32_t piece) {
   const uint64_t first = uint64_t(piece) * kPiece;
-  block.run_light(pass, first, uint32_t(std::min<uint64_t>(kPiece, subpaths_ - first)), pieces_[piece], tally);
+  block.run_light(pass, first, uint32_t(std::min<uint64_t>(kPiece, subpaths_ - first)), pieces_[piece]);
 }
 
 void LightPool::finish() {

@@ -14,7 +14,7 @@ class LightPool {
   void begin(uint64_t subpaths);
   uint32_t pieces() const { return uint32_t(pieces_.size()); }
   // Traces a piece. Pieces in parallel.
-  void fill(Block& block, uint64_t pass, uint32_t piece, Tally* tally = nullptr);
+  void fill(Block& block, uint64_t pass, uint32_t piece);
   // After all pieces are filled.
   void finish();
 

@@ -21,6 +21,7 @@ uint64_t TransportOptions::hash() const {
     h = hash_values(h, int(shadow_roulette));
     if (shadow_roulette == Roulette::Fixed) h = hash_bytes(&shadow_threshold, sizeof(shadow_threshold), h);
   }
+  if (chain_pixels != 0 || chain_candidates != 0) h = hash_values(h, chain_pixels, chain_candidates);
   return h;
 }
 

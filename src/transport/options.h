@@ -32,7 +32,9 @@ struct TransportOptions {
   int pool_passes = 0;    // passes that the plan takes at once, where it does; 0 = its own number
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
-  int max_edges = 0;  // longest path k; 0 = no limit
+  int chain_pixels = 0;      // mmlt: pixels whose mutations one chain makes, in each pass; 0 = its own number
+  int chain_candidates = 0;  // mmlt: samples of Veach's plan for each chain; 0 = its own number
+  int max_edges = 0;         // longest path k; 0 = no limit
   TechniqueMask techniques;
   Heuristic heuristic = Heuristic::Power;
   float beta = 2;

@@ -4,9 +4,9 @@
 
 namespace bdpt {
 
-extern const Plan kOneToOne, kTwoWay, kPooled, kMatrix, kCombinatorial;
+extern const Plan kOneToOne, kTwoWay, kPooled, kMatrix, kCombinatorial, kMmlt;
 
-const Plan* const kPlans[] = {&kOneToOne, &kTwoWay, &kPooled, &kMatrix, &kCombinatorial, nullptr};
+const Plan* const kPlans[] = {&kOneToOne, &kTwoWay, &kPooled, &kMatrix, &kCombinatorial, &kMmlt, nullptr};
 
 const Plan* find_plan(const char* name) {
   for (const Plan* const* p = kPlans; *p; ++p)

@@ -17,10 +17,16 @@ struct Plan {
   // Joins the eye subpaths of a block to light vertices, s >= 2 and t >= 2. All else is done before.
   void (*connect)(Block& block);
 
+  // Does all of a block's work itself, by the samples it chooses: block.sample_... Else they are the pixels'.
+  void (*run)(Block& block, uint64_t pass, const BlockRect& rect) = nullptr;
+
   bool pooled = false;          // eye vertices meet the light vertices of the whole pass: needs a LightPool
   int default_connections = 0;  // light vertices met by an eye vertex, where `connections` chooses them; else 0
   uint32_t block_size = 0;      // pixels; 0 = the plan's result does not depend on it
   uint64_t passes = 1;          // passes that a block takes at once, unless pool_passes says otherwise
+  bool shadow_roulette = true;  // whether shadow rays may play roulette
+  bool light_samples = true;    // whether an eye subpath may come with several light subpaths
+  uint32_t in_flight = 0;       // samples that a block has in hand at once; 0 = all of its own
 };
 
 // Ends with nullptr.

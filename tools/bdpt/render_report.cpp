@@ -39,6 +39,10 @@ void write_work(JsonWriter& json, const bdpt_render_stats& stats) {
   json.close();
   json.value("shadow_rays_skipped", stats.shadow_rays_skipped);
   json.value("connections", stats.connections);
+  if (stats.mutations > 0) {
+    json.value("mutations", stats.mutations);
+    json.value("accepted", stats.accepted);
+  }
   json.open("thread_seconds");
   json.value("start", stats.seconds_start);
   json.value("extend", stats.seconds_extend);
