@@ -59,7 +59,12 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.plan = "matrix", d.first_pass = 4; });  // cuts through a pool
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
-  refused([](auto& d) { d.reserved = 1; });
+  refused([](auto& d) { d.light_selection = 4; });
+  refused([](auto& d) { d.light_selection = -1; });
+  refused([](auto& d) { d.direct_samples = 65; });
+  refused([](auto& d) { d.direct_candidates = 65; });
+  for (bdpt_light_selection s = BDPT_LIGHT_SELECTION_POWER; s <= BDPT_LIGHT_SELECTION_EACH; ++s)
+    EXPECT_OK(try_render([&](auto& d) { d.light_selection = s, d.direct_samples = d.direct_candidates = 64; }));
   // Nothing that was refused holds the film.
   EXPECT_NE(nullptr, world_.render());
 }

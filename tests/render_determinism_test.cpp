@@ -20,6 +20,8 @@ struct Kind {
   const char* plan;
   int light_samples = 1;
   uint64_t pool_passes = 1;  // all numbers of passes below are times this
+  LightSelection selection = LightSelection::Power;
+  int direct_samples = 1;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -37,6 +39,8 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.plan = find_plan(GetParam().plan);
     d.transport.light_samples = GetParam().light_samples;
     d.transport.pool_passes = int(GetParam().pool_passes);
+    d.transport.light_selection = GetParam().selection;
+    d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -192,14 +196,15 @@ TEST_P(RenderDeterminism, AnotherSeedIsAnotherFilm) {
   EXPECT_NE(mean_of(*film), mean_of(*filled({})));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RenderDeterminism,
-                         ::testing::Values(Kind{"Sobol", SamplerType::Sobol, "one-to-one"},
-                                           Kind{"independent", SamplerType::Independent, "one-to-one", 2},
-                                           Kind{"stratified", SamplerType::Stratified, "one-to-one"},
-                                           Kind{"two-way", SamplerType::Sobol, "two-way"},
-                                           Kind{"pooled", SamplerType::Sobol, "pooled", 2},
-                                           Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
-                                           Kind{"combinatorial", SamplerType::Independent, "combinatorial"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, RenderDeterminism,
+    ::testing::Values(Kind{"Sobol", SamplerType::Sobol, "one-to-one"},
+                      Kind{"independent", SamplerType::Independent, "one-to-one", 2},
+                      Kind{"stratified", SamplerType::Stratified, "one-to-one"},
+                      Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
+                      Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, LightSelection::Tree, 3},
+                      Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+                      Kind{"combinatorial", SamplerType::Independent, "combinatorial"}));
 
 }  // namespace
 }  // namespace bdpt

@@ -92,6 +92,13 @@ for name in path light two-way pooled matrix combinatorial; do
 done
 expect 0 '' render box.pbrt -o m.exr --spp 8 --integrator matrix --connections 2 --pool-passes 4 --order hilbert \
   --partners latin-hypercube
+for selection in power uniform tree each; do
+  expect 0 '' render box.pbrt -o s.exr --spp 8 --light-selection $selection --direct-samples 2 --direct-candidates 2
+  expect 0 '' compare s.exr full.exr
+done
+expect 2 '^bdpt: .*choose one of: each, power, tree, uniform' render box.pbrt -o a.exr --light-selection guess
+expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --direct-samples 0
+expect 3 '^bdpt: .*direct_candidates' render box.pbrt -o a.exr --direct-candidates 65
 expect 2 '^bdpt: .*--integrator' render box.pbrt -o a.exr --integrator guess
 expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --integrator pooled --connections 0
 expect 3 '^bdpt: .*connections.*does not choose' render box.pbrt -o a.exr --integrator two-way --connections 2

@@ -13,6 +13,7 @@ namespace {
 constexpr float kDefaultBeta = 2, kMaxBeta = 64;
 constexpr uint32_t kDefaultStrata = 4, kMaxStrata = 256, kDefaultRouletteStart = 4, kMaxBlock = 65536;
 constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024, kMaxPoolPasses = 64;
+constexpr uint32_t kMaxDirect = 64, kMaxLightsInTurn = 64;
 
 // More than any path has, so nothing is lost.
 int to_int(uint32_t v) { return int(std::min(v, uint32_t(std::numeric_limits<int>::max()))); }
@@ -64,7 +65,12 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.order = static_cast<Order>(desc.order);
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
   options.partners = static_cast<Partners>(desc.partners);
-  if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
+  subject.check_enum("light_selection", desc.light_selection, BDPT_LIGHT_SELECTION_EACH);
+  options.light_selection = static_cast<LightSelection>(desc.light_selection);
+  subject.check_range("direct_samples", desc.direct_samples, 0, kMaxDirect);
+  options.direct_samples = int(desc.direct_samples == 0 ? 1 : desc.direct_samples);
+  subject.check_range("direct_candidates", desc.direct_candidates, 0, kMaxDirect);
+  options.direct_candidates = int(desc.direct_candidates == 0 ? 1 : desc.direct_candidates);
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
   options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);
@@ -89,6 +95,14 @@ void check_fit(const bdpt_scene& scene, const bdpt_sensor& sensor, const bdpt_fi
   if (desc.width != sensor.sensor->width() || desc.height != sensor.sensor->height())
     fail(ErrorCode::Mismatch, "the film is ", desc.width, " x ", desc.height, " pixels and the sensor ",
          sensor.sensor->width(), " x ", sensor.sensor->height(), ": create the film for this sensor");
+}
+
+void check_turns(const bdpt_scene& scene, LightSelection selection) {
+  const size_t lights = scene.scene->lights().count();
+  if (selection == LightSelection::Each && lights > kMaxLightsInTurn)
+    Subject("render", nullptr)
+        .refuse("light_selection", "is BDPT_LIGHT_SELECTION_EACH, which takes at most ", kMaxLightsInTurn,
+                " lights, and the scene has ", lights, ": give BDPT_LIGHT_SELECTION_TREE");
 }
 
 // Told only to hosts that asked for a technique in so many words: with "all" nobody expects what cannot be.
@@ -126,6 +140,7 @@ bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film
     require(render, "render");
     const RenderDesc options = read_render(d);
     check_fit(*scene, *sensor, *film);
+    check_turns(*scene, options.transport.light_selection);
     auto object = std::make_unique<bdpt_render>();
     object->context = scene->context;
     object->film = Ref<bdpt_film>(film);

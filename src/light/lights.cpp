@@ -15,9 +15,10 @@ float one_minus_cos_cap(float radius, float d2) {
   return sin2 / (1 + safe_sqrt(1 - sin2));
 }
 
-// A point of a mesh, uniform by area; u chooses the triangle.
-void sample_triangles(const Lights::AreaLight& a, double u, float u1, float u2, LightPoint& y0) {
-  const LightTriangle& t = a.triangles[a.by_area.sample(u)];
+// A point of one triangle of a mesh, uniform by area.
+void place_on_triangle(const Lights::AreaLight& a, uint32_t triangle, float u1, float u2, LightPoint& y0) {
+  const LightTriangle& t = a.triangles[triangle];
+  y0.primitive = triangle;
   const Vec2 b = sample_triangle(u1, u2);
   y0.p = t.corner + t.edge1 * b.x + t.edge2 * b.y;
   y0.normal = t.normal;
@@ -29,6 +30,18 @@ void place_on_sphere(const Lights::AreaLight& a, const Vec3& n, LightPoint& y0) 
   y0.normal = n;
   y0.p = a.center + n * a.radius;
   y0.margin = margin_of_sphere(a.center, a.radius);
+}
+
+// A point of a sphere, within what x sees of it.
+void place_on_visible_sphere(const Lights::AreaLight& a, const Vec3& x, float u0, float u1, LightPoint& y0) {
+  const Vec3 to_center = a.center - x;
+  const float d2 = length_squared(to_center);
+  if (!(d2 > a.radius * a.radius)) return place_on_sphere(a, sample_sphere(u0, u1), y0);
+  const Vec3 local = sample_cone(u0, u1, one_minus_cos_cap(a.radius, d2));
+  const Vec3 w = Frame(to_center * (1 / std::sqrt(d2))).to_world(local);
+  const float sin2 = 1 - local.z * local.z;
+  const float t = std::sqrt(d2) * local.z - safe_sqrt(a.radius * a.radius - d2 * sin2);
+  place_on_sphere(a, unit(x + w * t - a.center), y0);
 }
 
 double power_of_area(const Lights::AreaLight& a) {
@@ -81,6 +94,19 @@ void Lights::build(std::vector<AreaLight> areas, const std::vector<LightDesc>& o
     if (!by_power_.empty()) lights_[i].choice = by_power_.probability(i);
     if (i < areas_.size()) lights_[i].inverse_area = 1 / areas_[i].area;
   }
+  uint32_t emitter = 0;
+  for (size_t i = 0; i < lights_.size(); ++i) {
+    lights_[i].first_emitter = emitter;
+    emitter += emitter_count(int(i));
+  }
+}
+
+int Lights::choose(double& u, bool uniform) const {
+  if (!uniform) return int(by_power_.sample(u));
+  u *= double(lights_.size());
+  const int light = int(u);
+  u -= light;
+  return light;
 }
 
 float Lights::choice(int light, bool uniform) const {
@@ -98,14 +124,7 @@ float Lights::spot_falloff(const LightDesc& spot, const Vec3& w) const {
 bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart& start) const {
   if (empty()) return false;
   double u0 = join(u[0], u[3]);
-  int light;
-  if (uniform) {
-    u0 *= double(lights_.size());
-    light = int(u0);
-    u0 -= light;
-  } else {
-    light = int(by_power_.sample(u0));
-  }
+  const int light = choose(u0, uniform);
   const float chosen = choice(light, uniform);
   LightPoint& y0 = start.y0;
   y0 = LightPoint{};
@@ -118,7 +137,7 @@ bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart&
       if (a.is_sphere) {
         place_on_sphere(a, sample_sphere(u[1], u[2]), y0);
       } else {
-        sample_triangles(a, u0, u[1], u[2], y0);
+        place_on_triangle(a, uint32_t(a.by_area.sample(u0)), u[1], u[2], y0);
       }
       // A two-sided light takes a side by the first half of the direction's first number.
       float v0 = v[0];
@@ -168,46 +187,28 @@ bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart&
   return false;
 }
 
-bool Lights::sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, float u1, DirectLight& direct) const {
-  const Vec3 to_center = a.center - x;
-  const float d2 = length_squared(to_center);
-  LightPoint& y0 = direct.y0;
-  if (d2 > a.radius * a.radius) {
-    const float cap = one_minus_cos_cap(a.radius, d2);
-    const Vec3 local = sample_cone(u0, u1, cap);
-    const Vec3 w = Frame(to_center * (1 / std::sqrt(d2))).to_world(local);
-    const float sin2 = 1 - local.z * local.z;
-    const float t = std::sqrt(d2) * local.z - safe_sqrt(a.radius * a.radius - d2 * sin2);
-    place_on_sphere(a, unit(x + w * t - a.center), y0);
-  } else {
-    place_on_sphere(a, sample_sphere(u0, u1), y0);
-  }
-  return true;
+uint32_t Lights::choose_triangle(int light, double& u) const {
+  return is_mesh(light) ? uint32_t(area(light).by_area.sample(u)) : 0;
 }
 
-bool Lights::sample_direct(const Vec3& x, const float u[4], DirectLight& direct) const {
-  if (empty()) return false;
-  double u0 = join(u[0], u[3]);
-  const int index = int(by_power_.sample(u0));
-  const Light& light = lights_[size_t(index)];
+bool Lights::place_direct(int index, uint32_t triangle, const Vec3& x, float u1, float u2, DirectLight& direct) const {
   LightPoint& y0 = direct.y0;
   y0 = LightPoint{};
   y0.light = index;
-  switch (light.kind) {
+  switch (lights_[size_t(index)].kind) {
     case Kind::Environment:
       y0.infinite = true;
-      y0.normal = direct.direction = sample_sphere(u[1], u[2]);
+      y0.normal = direct.direction = sample_sphere(u1, u2);
       direct.distance = std::numeric_limits<float>::infinity();
       direct.radiance = environment_radiance_;
-      direct.density = light.choice * 0.25f * kInvPi;
       return true;
     case Kind::Triangles:
       y0.has_area = true;
-      sample_triangles(area(index), u0, u[1], u[2], y0);
+      place_on_triangle(area(index), triangle, u1, u2, y0);
       break;
     case Kind::Sphere:
       y0.has_area = true;
-      sample_sphere_direct(area(index), x, u[1], u[2], direct);
+      place_on_visible_sphere(area(index), x, u1, u2, y0);
       break;
     case Kind::Point:
     case Kind::Spot:
@@ -220,8 +221,7 @@ bool Lights::sample_direct(const Vec3& x, const float u[4], DirectLight& direct)
   if (is_black(direct.radiance) || !(d2 > 0)) return false;
   direct.distance = std::sqrt(d2);
   direct.direction = to_light * (1 / direct.distance);
-  direct.density = light.kind == Kind::Sphere ? direct_density(y0, x) : light.choice * light.inverse_area;
-  return direct.density > 0;
+  return true;
 }
 
 Rgb Lights::emitted(const LightPoint& y0, const Vec3& w) const {
@@ -259,19 +259,75 @@ float Lights::position_density(const LightPoint& y0, bool uniform) const {
   return y0.infinite ? chosen * 0.25f * kInvPi : chosen;
 }
 
-float Lights::direct_density(const LightPoint& y0, const Vec3& x) const {
-  const float chosen = choice(y0.light, false);
+float Lights::direct_density(const LightPoint& y0, const Vec3& x, float chosen) const {
   if (y0.infinite) return chosen * 0.25f * kInvPi;
   if (!y0.has_area) return chosen;
   const AreaLight& a = area(y0.light);
-  if (!a.is_sphere) return chosen * lights_[size_t(y0.light)].inverse_area;
+  const float by_area = chosen * lights_[size_t(y0.light)].inverse_area;
+  if (!a.is_sphere) return by_area;
   const float center2 = length_squared(a.center - x);
-  if (!(center2 > a.radius * a.radius)) return chosen * lights_[size_t(y0.light)].inverse_area;
+  if (!(center2 > a.radius * a.radius)) return by_area;
   const Vec3 w = x - y0.p;
   const float d2 = length_squared(w);
   const float cos_y = dot(y0.normal, w) / std::sqrt(d2);
   if (!(cos_y > 0)) return 0;  // the far side is never chosen
   return chosen * cos_y / (kTwoPi * one_minus_cos_cap(a.radius, center2) * d2);
+}
+
+float Lights::direct_density_of_triangle(const LightPoint& y0, float chosen) const {
+  const LightTriangle& t = area(y0.light).triangles[y0.primitive];
+  return chosen * 2 / length(cross(t.edge1, t.edge2));
+}
+
+uint32_t Lights::emitter_count(int light) const {
+  if (is_mesh(light)) return uint32_t(area(light).triangles.size());
+  return lights_[size_t(light)].kind == Kind::Environment ? 0 : 1;
+}
+
+std::vector<Emitter> Lights::emitters() const {
+  std::vector<Emitter> all;
+  for (const Light& l : lights_) {
+    if (l.kind == Kind::Environment) continue;
+    if (l.kind != Kind::Triangles) {
+      all.push_back(emitter_of(l));
+      continue;
+    }
+    const AreaLight& a = areas_[size_t(l.index)];
+    for (const LightTriangle& t : a.triangles) {
+      Emitter e;
+      e.low = e.high = t.corner;
+      for (const Vec3& corner : {t.corner + t.edge1, t.corner + t.edge2}) {
+        e.low = Vec3(std::min(e.low.x, corner.x), std::min(e.low.y, corner.y), std::min(e.low.z, corner.z));
+        e.high = Vec3(std::max(e.high.x, corner.x), std::max(e.high.y, corner.y), std::max(e.high.z, corner.z));
+      }
+      e.axis = t.normal;
+      e.cos_o = 1;
+      e.intensity = largest(t.normal) > 0 ? 0.5 * double(norm(a.radiance)) * length(cross(t.edge1, t.edge2)) : 0;
+      e.two_sided = a.two_sided;
+      all.push_back(e);
+    }
+  }
+  return all;
+}
+
+Emitter Lights::emitter_of(const Light& light) const {
+  Emitter e;
+  if (light.kind == Kind::Sphere) {
+    const AreaLight& a = areas_[size_t(light.index)];
+    e.low = a.center - Vec3(a.radius);
+    e.high = a.center + Vec3(a.radius);
+    e.intensity = double(norm(a.radiance)) * kPi * a.radius * a.radius;
+    return e;
+  }
+  const LightDesc& o = others_[size_t(light.index)];
+  e.low = e.high = o.position;
+  e.intensity = norm(o.intensity);
+  if (light.kind == Kind::Spot) {
+    e.axis = o.direction;
+    e.cos_o = o.cos_inner;
+    e.cos_e = std::cos(std::acos(double(o.cos_outer)) - std::acos(double(o.cos_inner))) - 1e-4;  // cosines are rounded
+  }
+  return e;
 }
 
 }  // namespace bdpt

@@ -1,5 +1,5 @@
-// All lights of a scene: how light subpaths start, how direct lighting chooses a point (s = 1), and the densities of
-// both.
+// All lights of a scene: how light subpaths start, points on lights for direct lighting (s = 1), and the densities of
+// both. direct_lighting.h chooses among them.
 //
 // Veach's convention: L_e is split into L_e^(0), a position, and L_e^(1), a direction, and the directional part is
 // treated as a BSDF at y0. Densities of position are per area, those of direction per projected solid angle. An
@@ -9,6 +9,7 @@
 #pragma once
 
 #include "light/light_desc.h"
+#include "light/light_tree.h"
 #include "math/vec.h"
 #include "sampling/discrete.h"
 
@@ -20,11 +21,12 @@ namespace bdpt {
 // y0 of a light subpath or of direct lighting. The tag says which light and which side of it.
 struct LightPoint {
   int light = -1;
-  bool infinite = false;  // no position: `normal` points toward the light
-  bool has_area = false;  // an area light: cosines at y0 count, eye subpaths can hit it
-  Vec3 p;                 // not for infinite lights
-  Vec3 normal;            // of an area light: geometric, toward its front
-  float margin = 0;       // of an area light: see off_surface()
+  uint32_t primitive = 0;  // triangle of a mesh
+  bool infinite = false;   // no position: `normal` points toward the light
+  bool has_area = false;   // an area light: cosines at y0 count, eye subpaths can hit it
+  Vec3 p;                  // not for infinite lights
+  Vec3 normal;             // of an area light: geometric, toward its front
+  float margin = 0;        // of an area light: see off_surface()
 };
 
 struct LightStart {
@@ -78,8 +80,14 @@ class Lights {
 
   // Starts a light subpath. u: choice, position 2, more of the choice; v: direction 2. False for a scene without light.
   bool start(const float u[4], const float v[2], bool uniform, LightStart& start) const;
-  // Chooses y0 for s = 1 at a point of a surface; u as above. False where the light chosen cannot reach it.
-  bool sample_direct(const Vec3& x, const float u[4], DirectLight& direct) const;
+  // The light that u chooses, by power or each alike, and its probability; what is left of u can be used again.
+  int choose(double& u, bool uniform) const;
+  float choice(int light, bool uniform) const;
+  // The triangle of a mesh that u chooses, by area; 0 for all other lights.
+  uint32_t choose_triangle(int light, double& u) const;
+  // A point of a light, or of one triangle of it, for s = 1 at a point x of a surface: all but the density. False where
+  // the light cannot reach x.
+  bool place_direct(int light, uint32_t triangle, const Vec3& x, float u1, float u2, DirectLight& direct) const;
 
   // L_e(y0 -> x) of any finite light, w from y0 to x, of any length; of points, the intensity.
   Rgb emitted(const LightPoint& y0, const Vec3& w) const;
@@ -91,8 +99,16 @@ class Lights {
   float direction_density(const LightPoint& y0, const Vec3& w) const;
   // P_A(y0).
   float position_density(const LightPoint& y0, bool uniform) const;
-  // P_A^d(y0) at x.
-  float direct_density(const LightPoint& y0, const Vec3& x) const;
+  // P_A^d(y0) at x of a light that is chosen with this probability.
+  float direct_density(const LightPoint& y0, const Vec3& x, float chosen) const;
+  // The same of one triangle of a mesh that is chosen with it.
+  float direct_density_of_triangle(const LightPoint& y0, float chosen) const;
+
+  // --- Emitters: each triangle of a mesh, and each other light but an environment; numbered in the order of lights ---
+  bool is_mesh(int light) const { return lights_[size_t(light)].kind == Kind::Triangles; }
+  uint32_t first_emitter(int light) const { return lights_[size_t(light)].first_emitter; }
+  uint32_t emitter_count(int light) const;
+  std::vector<Emitter> emitters() const;
 
  private:
   enum class Kind { Triangles, Sphere, Point, Spot, Environment };
@@ -102,12 +118,12 @@ class Lights {
     double power = 0;
     float choice = 0;        // probability by power
     float inverse_area = 1;  // of an area light
+    uint32_t first_emitter = 0;
   };
   const AreaLight& area(int light) const { return areas_[size_t(lights_[size_t(light)].index)]; }
   const LightDesc& other(int light) const { return others_[size_t(lights_[size_t(light)].index)]; }
-  float choice(int light, bool uniform) const;
+  Emitter emitter_of(const Light& light) const;
   float spot_falloff(const LightDesc& spot, const Vec3& w) const;
-  bool sample_sphere_direct(const AreaLight& a, const Vec3& x, float u0, float u1, DirectLight& direct) const;
 
   std::vector<AreaLight> areas_;
   std::vector<LightDesc> others_;

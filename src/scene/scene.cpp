@@ -274,6 +274,7 @@ bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
   const Material& material = *instance.material;
   s.material = &material;
   s.light = instance.light;
+  s.primitive = hit.primitive;
   s.reflectance = material.reflectance;
   if (instance.sphere) {
     const Vec3 n = ray.origin + ray.direction * hit.t - instance.center;

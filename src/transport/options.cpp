@@ -17,6 +17,10 @@ uint64_t TransportOptions::hash() const {
   if (connections != 0 || light_samples != 1 || pool_passes != 0)
     h = hash_values(h, connections, light_samples, pool_passes);
   if (order != Order::Metric || partners != Partners::Sobol) h = hash_values(h, int(order), int(partners));
+  if (light_selection != LightSelection::Power || direct_samples != 1 || direct_candidates != 1) {
+    constexpr uint64_t direct = 0x746365726964;  // unlike any numbers above
+    h = hash_values(h, direct, int(light_selection), direct_samples, direct_candidates);
+  }
   return h;
 }
 

@@ -138,6 +138,9 @@ class RenderCommand {
     desc.pool_passes = options_.pool_passes;
     desc.order = options_.order;
     desc.partners = options_.partners;
+    desc.light_selection = options_.light_selection;
+    desc.direct_samples = options_.direct_samples;
+    desc.direct_candidates = options_.direct_candidates;
     return desc;
   }
 

@@ -19,6 +19,10 @@ const std::map<std::string, bdpt_order> kOrders = {
     {"metric", BDPT_ORDER_METRIC}, {"hilbert", BDPT_ORDER_HILBERT}, {"none", BDPT_ORDER_NONE}};
 const std::map<std::string, bdpt_partners> kPartners = {{"sobol", BDPT_PARTNERS_SOBOL},
                                                         {"latin-hypercube", BDPT_PARTNERS_LATIN_HYPERCUBE}};
+const std::map<std::string, bdpt_light_selection> kLightSelections = {{"power", BDPT_LIGHT_SELECTION_POWER},
+                                                                      {"uniform", BDPT_LIGHT_SELECTION_UNIFORM},
+                                                                      {"tree", BDPT_LIGHT_SELECTION_TREE},
+                                                                      {"each", BDPT_LIGHT_SELECTION_EACH}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -84,6 +88,16 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   add_choice(command, "--partners", options.partners, kPartners,
              "How matrix chooses partners: sobol (default) or latin-hypercube");
   command.add_option("--light-samples", options.light_samples, "Light subpaths for each eye subpath (default 1)")
+      ->check(positive());
+  add_choice(command, "--light-selection", options.light_selection, kLightSelections,
+             "How direct lighting chooses a light: power (default), uniform, tree (for many lights), or each in turn");
+  command
+      .add_option("--direct-samples", options.direct_samples,
+                  "Points on lights that direct lighting takes at each vertex (default 1)")
+      ->check(positive());
+  command
+      .add_option("--direct-candidates", options.direct_candidates,
+                  "Each of them chosen among so many by its contribution without shadows (default 1)")
       ->check(positive());
   command.add_option("--techniques", options.techniques, kTechniqueMaskHelp)
       ->excludes("--integrator")

@@ -28,6 +28,8 @@ struct RenderOptions {
   std::uint32_t connections = 0, light_samples = 0, pool_passes = 0;  // 0 = the default
   bdpt_order order = BDPT_ORDER_METRIC;
   bdpt_partners partners = BDPT_PARTNERS_SOBOL;
+  bdpt_light_selection light_selection = BDPT_LIGHT_SELECTION_POWER;
+  std::uint32_t direct_samples = 0, direct_candidates = 0;  // 0 = the default
   bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
   float beta = 0, cutoff = 0;
   bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
