@@ -33,12 +33,15 @@ std::shared_ptr<const Scene> hall(int lamps) {
     b.add(scenes::box(at - Vec3(0.3f, 0, 0.3f), at + Vec3(0.3f, 0.5f + 0.2f * float(i % 4), 0.3f), false),
           scenes::diffuse(Rgb(0.7f, 0.5f, 0.3f)));
   }
-  const int columns = int(std::ceil(std::sqrt(double(lamps))));
   const float side = std::sqrt(0.5f / float(lamps)) / 2;  // half a square metre in all
   for (int i = 0; i < lamps; ++i) {
-    const auto jitter = [&](int k) { return float(hash_values(i, k) >> 40) * 0x1p-24f; };
-    const auto place = [&](int cell, float u) { return 9.5f * ((float(cell) + u) / float(columns)) - 4.75f; };
-    const float x = place(i % columns, jitter(0)), z = place(i / columns, jitter(1)), y = 2.9f - 0.3f * jitter(2);
+    // Evenly spread, however many (Roberts's sequence).
+    const auto place = [&](double step) {
+      double whole;
+      return float(std::modf(0.5 + i * step, &whole));
+    };
+    const float x = 9.5f * place(0.7548776662466927) - 4.75f, z = 9.5f * place(0.5698402909980532) - 4.75f;
+    const float y = 2.9f - 0.3f * place(0.6180339887498949);
     b.add(scenes::quad(Vec3(x - side, y, z - side), Vec3(x + side, y, z - side), Vec3(x + side, y, z + side),
                        Vec3(x - side, y, z + side)),
           scenes::emitter(Rgb(20)));
@@ -77,7 +80,7 @@ void run(Case& c, const std::shared_ptr<const Sensor>& camera, uint64_t seed) {
   desc.seed = seed;
   desc.transport.max_edges = kMaxEdges;
   if (c.method.path) desc.transport.techniques.rows.fill(0);
-  for (size_t s = 0; c.method.path && s < 2; ++s) desc.transport.techniques.rows[s] = ~0u;
+  for (size_t s = 0; c.method.path && s < 2; ++s) desc.transport.techniques.rows[s] = ~3u;
   desc.transport.light_selection = c.method.selection;
   desc.transport.direct_samples = c.method.samples;
   desc.transport.direct_candidates = c.method.candidates;
@@ -102,9 +105,10 @@ void run(Case& c, const std::shared_ptr<const Sensor>& camera, uint64_t seed) {
 int main(int argc, char** argv) {
   using namespace bdpt;
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 16;
-  if (seeds < 2) return std::fprintf(stderr, "usage: bdpt_many_lights [SEEDS], 2 or more\n"), 2;
+  const std::string only = argc > 2 ? argv[2] : "";
+  if (seeds < 2) return std::fprintf(stderr, "usage: bdpt_many_lights [SEEDS (2 or more) [METHOD]]\n"), 2;
   const auto camera =
-      scenes::camera({.from = Vec3(4.5f, 2, 4.5f), .to = Vec3(0, 0.5f, 0), .field_of_view = 60}, kWidth, kHeight);
+      scenes::camera({.from = Vec3(4.5f, 2.4f, 4.5f), .to = Vec3(0.5f, 0, 0.5f), .field_of_view = 40}, kWidth, kHeight);
   const Method methods[] = {{"path, power", true, LightSelection::Power},
                             {"path, tree", true, LightSelection::Tree},
                             {"path, tree, 4 candidates", true, LightSelection::Tree, 1, 4},
@@ -117,7 +121,8 @@ int main(int argc, char** argv) {
   std::vector<Case> cases;
   for (int n : lamps) {
     const auto scene = hall(n);
-    for (const Method& m : methods) cases.push_back({m, n, scene, 0, 0, {}});
+    for (const Method& m : methods)
+      if (m.name.find(only) != std::string::npos) cases.push_back({m, n, scene, 0, 0, {}});
   }
   for (int seed = 0; seed <= seeds; ++seed)  // by turns; the first warms up
     for (Case& c : cases) {

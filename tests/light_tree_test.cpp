@@ -28,6 +28,7 @@ Triangles cloud(int count, uint32_t seed) {
     if (i % 16 == 0) cluster = random_point(uniform, 1);
     const Vec3 a = cluster + random_point(uniform, 0.1f);
     Emitter e;
+    e.light = uint32_t(i);
     e.intensity = std::exp(6.0 * uniform() - 3);
     if (i % 7 == 0) {
       e.low = e.high = a;
@@ -81,10 +82,9 @@ TEST(LightTree, ChoosesWithItsProbabilitiesToTheBit) {
     std::vector<double> observed(t.emitters.size()), expected(t.emitters.size());
     for (uint32_t e = 0; e < expected.size(); ++e) expected[e] = double(tree.probability(e, x)) * kSamples;
     for (int k = 0; k < kSamples; ++k) {
-      float p;
-      const uint32_t e = tree.sample(x, double(uniform()) + double(uniform()) * 0x1p-24, p);
-      EXPECT_EQ(p, tree.probability(e, x));
-      ++observed[e];
+      const LightTree::Choice c = tree.sample(x, double(uniform()) + double(uniform()) * 0x1p-24);
+      EXPECT_EQ(c.probability, tree.probability(c.light, x));
+      ++observed[c.light];
     }
     EXPECT_GT(statistics::chi_square_test(observed, expected), statistics::kSignificance / kReceivers) << i;
   }
@@ -151,9 +151,10 @@ TEST(LightTree, TakesWhateverItIsGiven) {
   EXPECT_TRUE(LightTree(std::vector<Emitter>()).empty());
   EXPECT_TRUE(LightTree(std::vector<Emitter>(5)).empty());  // all dark
   std::vector<Emitter> same(1000);                          // all at one place
-  for (Emitter& e : same) e.intensity = 1;
+  for (size_t i = 0; i < same.size(); ++i) same[i].light = uint32_t(i), same[i].intensity = 1;
   std::vector<Emitter> line(3000);  // powers and distances that no split by cost divides evenly
   for (size_t i = 0; i < line.size(); ++i) {
+    line[i].light = uint32_t(i);
     line[i].low = line[i].high = Vec3(std::exp2(float(i) / 60 - 30), 0, 0);
     line[i].intensity = std::exp2(double(i) / 10 - 150);
   }
@@ -166,11 +167,10 @@ TEST(LightTree, TakesWhateverItIsGiven) {
       double sum = 0;
       for (uint32_t e = 0; e < emitters.size(); ++e) sum += double(tree.probability(e, x));
       EXPECT_NEAR(sum, 1, 1e-5);
-      float p;
       for (double u : {0.0, 0.5, 1 - 0x1p-53}) {
-        const uint32_t e = tree.sample(x, u, p);
-        EXPECT_EQ(p, tree.probability(e, x));
-        EXPECT_GT(p, 0);
+        const LightTree::Choice c = tree.sample(x, u);
+        EXPECT_EQ(c.probability, tree.probability(c.light, x));
+        EXPECT_GT(c.probability, 0);
       }
     }
   }

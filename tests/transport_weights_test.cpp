@@ -96,7 +96,7 @@ void append(Path& path, const EyeSubpaths& eye, const Vertex& z) {  // z ... z_0
   path.points.push_back({eye.starts[0].p});
 }
 
-std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
+std::vector<SamplePath> paths_of(const Block& block) {
   const EyeSubpaths& eye = block.eye();
   const LightSubpaths& light = block.light();
   const Engine& engine = block.engine();
@@ -210,7 +210,7 @@ void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_
   for (uint64_t pass = 0; pass < 150; ++pass) {
     plain.run(pass);
     for (auto& w : weighted) w->run(pass);
-    for (const SamplePath& p : paths_of(plain.block(), *scene)) {
+    for (const SamplePath& p : paths_of(plain.block())) {
       if (p.s + p.t - 1 > kMaxEdges || !mask.allows(p.s, p.t)) continue;
       if (p.s == 1 && p.t > 1 && direct_samples > 1) continue;  // a sum of several paths
       const double whole = plain.contribution(p.s, p.t);

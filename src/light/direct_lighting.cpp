@@ -10,11 +10,7 @@ constexpr float kEnvironmentShare = 0.5f;
 DirectLighting::DirectLighting(const Lights& lights, LightSelection selection)
     : lights_(lights), selection_(selection) {
   if (selection != LightSelection::Tree) return;
-  const std::vector<Emitter> emitters = lights.emitters();
-  tree_ = LightTree(emitters);
-  places_.reserve(emitters.size());
-  for (int light = 0; light < int(lights.count()); ++light)
-    for (uint32_t i = 0; i < lights.emitter_count(light); ++i) places_.push_back({light, i});
+  tree_ = LightTree(lights.emitters());
   const bool shines = lights.has_environment() && !is_black(lights.environment_radiance());
   environment_ = !shines ? 0 : tree_.empty() ? 1 : kEnvironmentShare;
 }
@@ -25,10 +21,9 @@ DirectLighting::Place DirectLighting::choose(const Receiver& x, int turn, double
       chosen = environment_;
       return {lights_.environment(), 0};
     }
-    float of_tree;
-    const Place place = places_[tree_.sample(x, (u - double(environment_)) / (1 - double(environment_)), of_tree)];
-    chosen = (1 - environment_) * of_tree;
-    return place;
+    const LightTree::Choice c = tree_.sample(x, (u - double(environment_)) / (1 - double(environment_)));
+    chosen = (1 - environment_) * c.probability;
+    return {int(c.light), c.triangle};
   }
   int light = turn;
   chosen = 1;

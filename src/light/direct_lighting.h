@@ -25,7 +25,7 @@ class DirectLighting {
   bool sample(const Receiver& x, int turn, double u, float u1, float u2, DirectLight& direct) const;
   // P_A^d(y0) at x; where lights take turns, the sum of the turns' densities.
   float density(const LightPoint& y0, const Receiver& x) const;
-  size_t memory() const { return tree_.memory() + places_.capacity() * sizeof(Place); }
+  size_t memory() const { return tree_.memory(); }
 
  private:
   struct Place {
@@ -41,8 +41,7 @@ class DirectLighting {
   const Lights& lights_;
   LightSelection selection_;
   LightTree tree_;
-  std::vector<Place> places_;  // of the tree's emitters
-  float environment_ = 0;      // its share beside the tree
+  float environment_ = 0;  // its share beside the tree
 };
 
 }  // namespace bdpt

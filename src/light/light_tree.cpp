@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 
 namespace bdpt {
 
@@ -11,7 +12,7 @@ namespace {
 constexpr double kHalfPi = 1.57079632679489662, kAllAround = 2 * kHalfPi;
 constexpr int kBuckets = 12;
 // Splits by cost down to here, by halves below: no way is longer than 64 bits.
-constexpr int kMaxDepthByCost = 30;
+constexpr int kMaxDepthByCost = 15;
 constexpr float kLeastDistance = 1e-6f;  // relative to the tree's size
 
 using Vec3d = Imath::V3d;
@@ -89,7 +90,7 @@ Bounds bounds_of(const Emitter& e, double scale) {
 
 class LightTree::Build {
  public:
-  Build(LightTree& tree, const std::vector<Emitter>& emitters) : tree_(tree) {
+  Build(LightTree& tree, const std::vector<Emitter>& emitters) : tree_(tree), emitters_(emitters) {
     double most = 0;
     for (const Emitter& e : emitters) most = std::max(most, e.intensity);
     for (size_t i = 0; i < emitters.size(); ++i)
@@ -100,6 +101,7 @@ class LightTree::Build {
     const float size = float(all.bounds.diagonal().length()) * kLeastDistance;
     tree_.floor_ = std::max(size * size, 1e-30f);
     make_node(all, 0, 0);
+    tree_.nodes_.shrink_to_fit();
   }
 
  private:
@@ -119,31 +121,32 @@ class LightTree::Build {
     return r;
   }
 
-  // A node of up to four children: the range split, and both halves again. way: to this node, `depth` bits.
+  // A node of up to four children: the largest part is split until there are four. way: to this node.
   int32_t make_node(const Range& whole, uint64_t way, int depth) {
-    std::array<Range, kWidth> part;
-    int parts = 0;
-    const auto [left, right] = split(whole, depth);
-    for (const Range& half : {left, right}) {
-      if (half.size() > 1) {
-        const auto [a, b] = split(half, depth + 1);
-        part[size_t(parts++)] = a, part[size_t(parts++)] = b;
-      } else if (half.size() == 1) {
-        part[size_t(parts++)] = half;
-      }
+    std::array<Range, kWidth> part{whole};
+    int parts = 1;
+    while (parts < kWidth) {
+      const auto end = part.begin() + parts;
+      const auto largest =
+          std::max_element(part.begin(), end, [](const Range& a, const Range& b) { return a.size() < b.size(); });
+      if (largest->size() < 2) break;
+      std::tie(*largest, part[size_t(parts)]) = split(*largest, depth);
+      ++parts;
     }
     const size_t index = tree_.nodes_.size();
     tree_.nodes_.emplace_back();
     for (int k = 0; k < parts; ++k) {
       const Range& p = part[size_t(k)];
-      const uint64_t way_there = way | uint64_t(k) << depth;
+      const uint64_t way_there = way | uint64_t(k) << (2 * depth);
       fill(tree_.nodes_[index], k, p.bounds);
       int32_t child;
       if (p.size() == 1) {
-        child = ~int32_t(items_[p.begin].emitter);
-        tree_.ways_[items_[p.begin].emitter] = way_there;
+        const uint32_t emitter = items_[p.begin].emitter;
+        tree_.ways_[emitter] = way_there;
+        tree_.nodes_[index].triangle[k] = emitters_[emitter].triangle;
+        child = ~int32_t(emitters_[emitter].light);
       } else {
-        child = make_node(p, way_there, depth + 2);
+        child = make_node(p, way_there, depth + 1);
       }
       tree_.nodes_[index].child[k] = child;
     }
@@ -164,7 +167,6 @@ class LightTree::Build {
 
   // In two that both hold something, where the range has two or more.
   std::pair<Range, Range> split(const Range& whole, int depth) {
-    if (whole.size() < 2) return {whole, Range{whole.end, whole.end, {}}};
     const auto first = items_.begin() + ptrdiff_t(whole.begin), last = items_.begin() + ptrdiff_t(whole.end);
     Vec3d low(std::numeric_limits<double>::infinity()), high(-low);
     for (auto i = first; i != last; ++i)
@@ -203,6 +205,7 @@ class LightTree::Build {
   }
 
   LightTree& tree_;
+  const std::vector<Emitter>& emitters_;
   std::vector<Item> items_;
 };
 
@@ -258,8 +261,8 @@ inline Four sin_less(Four cos_a, Four sin_a, Four cos_b, Four sin_b) {
   return total > 0 ? importance / total : node.intensity / sum(node.intensity);
 }
 
-uint32_t LightTree::sample(const Receiver& x, double u, float& probability) const {
-  probability = 1;
+LightTree::Choice LightTree::sample(const Receiver& x, double u) const {
+  float probability = 1;
   for (int32_t n = 0;;) {
     const Node& node = nodes_[size_t(n)];
     const Four share = shares(node, x);
@@ -273,7 +276,7 @@ uint32_t LightTree::sample(const Receiver& x, double u, float& probability) cons
     u = std::clamp((u - begin) / double(share[k]), 0.0, 0x1.fffffffffffffp-1);
     probability *= share[k];
     n = node.child[k];
-    if (n < 0) return uint32_t(~n);
+    if (n < 0) return {uint32_t(~n), node.triangle[k], probability};
   }
 }
 

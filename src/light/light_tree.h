@@ -20,9 +20,10 @@ struct Receiver {
   Vec3 normal;
 };
 
-// Bounds of what sends light: where it is, and the directions it sends to: at most cos_e from any direction that is
-// within cos_o of the axis.
+// What sends light: a triangle of a mesh, or another light; and its bounds: where it is, and the directions it sends
+// to: at most cos_e from any direction that is within cos_o of the axis.
 struct Emitter {
+  uint32_t light = 0, triangle = 0;  // as Lights number them
   Vec3 low, high;
   Vec3 axis{0, 0, 1};      // unit
   double cos_o = -1;       // -1: all directions
@@ -38,8 +39,12 @@ class LightTree {
 
   // Without any emitter that sends light.
   bool empty() const { return nodes_.empty(); }
+  struct Choice {
+    uint32_t light, triangle;
+    float probability;
+  };
   // Chooses an emitter for x; u is used up.
-  uint32_t sample(const Receiver& x, double u, float& probability) const;
+  Choice sample(const Receiver& x, double u) const;
   // The probability with which sample() chooses it, to the bit.
   float probability(uint32_t emitter, const Receiver& x) const;
   size_t memory() const { return nodes_.capacity() * sizeof(Node) + ways_.capacity() * sizeof(uint64_t); }
@@ -53,9 +58,10 @@ class LightTree {
   struct Node {
     Four center[3] = {}, radius = {};
     Four axis[3] = {}, cos_o = {}, sin_o = {}, cos_e = {};
-    Four two_sided = {};         // 1 or 0
-    Four intensity = {};         // 0: no child
-    int32_t child[kWidth] = {};  // a node, or ~emitter
+    Four two_sided = {};             // 1 or 0
+    Four intensity = {};             // 0: no child
+    int32_t child[kWidth] = {};      // a node, or ~light of an emitter
+    uint32_t triangle[kWidth] = {};  // of an emitter
   };
   class Build;
 

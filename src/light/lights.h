@@ -46,11 +46,13 @@ struct DirectLight {
   float density = 0;   // P_A^d(y0), choice of light included; per solid angle for infinite lights
 };
 
-// One triangle of an area light, in the world.
-struct LightTriangle {
+// One triangle of an area light, in the world. All that choosing a point needs is in one cache line.
+struct alignas(64) LightTriangle {
   Vec3 corner, edge1, edge2;
-  Vec3 normal;  // unit, toward the front
+  Vec3 normal;       // unit, toward the front; zero where the triangle is degenerate
+  double below = 0;  // part of its mesh's area that lies before it
   float margin;
+  double area() const { return length_squared(normal) > 0 ? 0.5 * double(length(cross(edge1, edge2))) : 0; }
   LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, float m)
       : corner(a), edge1(b - a), edge2(c - a), normal(n), margin(m) {}
 };
@@ -65,12 +67,12 @@ class Lights {
     Vec3 center{0, 0, 0};  // sphere
     float radius = 0;
     float area = 0;
-    Discrete by_area;
     std::vector<LightTriangle> triangles;
   };
 
   // Area lights first, in the order given, then the rest. The scene lies within the sphere given.
-  void build(std::vector<AreaLight> areas, const std::vector<LightDesc>& others, const Vec3& center, float radius);
+  void build(const std::vector<AreaLight>& areas, const std::vector<LightDesc>& others, const Vec3& center,
+             float radius);
 
   size_t count() const { return lights_.size(); }
   bool empty() const { return by_power_.empty(); }
@@ -83,7 +85,8 @@ class Lights {
   // The light that u chooses, by power or each alike, and its probability; what is left of u can be used again.
   int choose(double& u, bool uniform) const;
   float choice(int light, bool uniform) const;
-  // The triangle of a mesh that u chooses, by area; 0 for all other lights.
+  // The triangle of a mesh that u chooses, by area, numbered over all meshes; for all other lights some number. (It is
+  // not counted from the mesh's first, so that it can be fetched before the light is.)
   uint32_t choose_triangle(int light, double& u) const;
   // A point of a light, or of one triangle of it, for s = 1 at a point x of a surface: all but the density. False where
   // the light cannot reach x.
@@ -105,29 +108,37 @@ class Lights {
   float direct_density_of_triangle(const LightPoint& y0, float chosen) const;
 
   // --- Emitters: each triangle of a mesh, and each other light but an environment; numbered in the order of lights ---
-  bool is_mesh(int light) const { return lights_[size_t(light)].kind == Kind::Triangles; }
-  uint32_t first_emitter(int light) const { return lights_[size_t(light)].first_emitter; }
+  bool is_mesh(int light) const { return at(light).kind == Kind::Triangles; }
+  uint32_t first_emitter(int light) const { return at(light).first_emitter; }
   uint32_t emitter_count(int light) const;
   std::vector<Emitter> emitters() const;
 
  private:
-  enum class Kind { Triangles, Sphere, Point, Spot, Environment };
-  struct Light {
+  enum class Kind : uint8_t { Triangles, Sphere, Point, Spot, Environment };
+  // All that most questions need is in one cache line.
+  struct alignas(64) Light {
     Kind kind = Kind::Point;
-    int index = -1;  // into areas_ or others_
-    double power = 0;
+    bool two_sided = false;
+    uint32_t first = 0;  // of a mesh's triangles in triangles_; index of a light without area in others_
+    uint32_t triangles = 0;
+    uint32_t first_emitter = 0;
     float choice = 0;        // probability by power
     float inverse_area = 1;  // of an area light
-    uint32_t first_emitter = 0;
+    Rgb radiance;            // of an area light
+    Vec3 center{0, 0, 0};    // sphere
+    float radius = 0;
   };
-  const AreaLight& area(int light) const { return areas_[size_t(lights_[size_t(light)].index)]; }
-  const LightDesc& other(int light) const { return others_[size_t(lights_[size_t(light)].index)]; }
+  const Light& at(int light) const { return lights_[size_t(light)]; }
+  const LightDesc& other(const Light& light) const { return others_[light.first]; }
+  void add_area(const AreaLight& area);
+  void place_on_triangle(const Light& light, uint32_t triangle, float u1, float u2, LightPoint& y0) const;
   Emitter emitter_of(const Light& light) const;
   float spot_falloff(const LightDesc& spot, const Vec3& w) const;
 
-  std::vector<AreaLight> areas_;
-  std::vector<LightDesc> others_;
   std::vector<Light> lights_;
+  std::vector<LightTriangle> triangles_;  // of all meshes
+  std::vector<uint32_t> guide_;           // where in a mesh to look for part k / n of its area; for each triangle k
+  std::vector<LightDesc> others_;
   Discrete by_power_;
   Vec3 center_;
   float radius_ = 0;
