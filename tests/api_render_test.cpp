@@ -161,6 +161,26 @@ TEST_F(ApiRender, APlanOfPoolsTakesItsPassesAtOnce) {
   EXPECT_EQ(8u * 24 * 16, stats.samples);
 }
 
+TEST_F(ApiRender, OnlySoManyLightsTakeTurns) {
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.light_selection = BDPT_LIGHT_SELECTION_EACH;
+  bdpt_light_desc light = make<bdpt_light_desc>();
+  light.type = BDPT_LIGHT_POINT;
+  light.intensity[0] = 1;
+  bdpt_light_id id{};
+  for (int lights = 2; lights <= 65; ++lights) {  // the scene has one
+    ASSERT_OK(bdpt_light_add(world_.builder.get(), &light, &id));
+    if (lights < 64) continue;
+    const Scene scene = build(world_.builder.get());
+    bdpt_render* render = nullptr;
+    EXPECT_EQ(lights == 64 ? BDPT_OK : BDPT_ERROR_INVALID_ARGUMENT,
+              bdpt_render_create(scene.get(), world_.sensor.get(), world_.film.get(), &desc, &render));
+    bdpt_render_destroy(render);
+    ASSERT_OK(bdpt_film_clear(world_.film.get()));
+  }
+  EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "BDPT_LIGHT_SELECTION_TREE")) << bdpt_last_error();
+}
+
 // A pool over the context's limit is refused before any work.
 TEST(ApiRenderPool, OverTheMemoryLimitIsRefused) {
   const World free;

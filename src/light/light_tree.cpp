@@ -266,13 +266,11 @@ LightTree::Choice LightTree::sample(const Receiver& x, double u) const {
   for (int32_t n = 0;;) {
     const Node& node = nodes_[size_t(n)];
     const Four share = shares(node, x);
-    int k = 0;
-    double begin = 0, end = 0;  // what share k takes of u
-    for (int i = 0; i < kWidth; ++i) {
-      if (!(share[i] > 0)) continue;
-      k = i, begin = end, end += double(share[i]);
-      if (u < end) break;
-    }
+    // Share k takes [end[k - 1], end[k]) of u. Without branches, which nobody could foresee.
+    const double end[] = {share[0], double(share[0]) + share[1], double(share[0]) + share[1] + share[2]};
+    int k = (u >= end[0]) + (u >= end[1]) + (u >= end[2]);
+    while (!(share[k] > 0)) --k;  // past the end, by rounding
+    const double begin = k > 0 ? end[k - 1] : 0;
     u = std::clamp((u - begin) / double(share[k]), 0.0, 0x1.fffffffffffffp-1);
     probability *= share[k];
     n = node.child[k];
