@@ -78,15 +78,28 @@ struct SamplePath {
 };
 
 // The emitters of scenes::room() are told apart by their colour.
-int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1 ? 1 : 2; }
+int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1 ? 1 : emission.r == 3 ? 2 : 3; }
 
-// Which half of a quad of scenes::room() a point is on: triangles are 0, 1, 2 and 0, 2, 3 of its corners.
+// The triangle of one of them that a point is on.
 uint32_t primitive_of(int light, const Vec3& p) {
-  if (light > 1) return 0;
-  const Vec3 a = light == 0 ? Vec3(-0.4f, 0.9f, -0.6f) : Vec3(-0.8f, -0.2f, -0.9f);
-  const Vec3 b = light == 0 ? Vec3(0.4f, 0.9f, -0.6f) : Vec3(-0.8f, -0.2f, -0.5f);
-  const Vec3 c = light == 0 ? Vec3(0.4f, 0.9f, 0.1f) : Vec3(-0.5f, 0.4f, -0.5f);
-  return dot(cross(c - a, b - a), cross(c - a, p - a)) > 0 ? 0 : 1;
+  const scenes::MeshData meshes[] = {
+      scenes::quad(Vec3(-0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, 0.1f), Vec3(-0.4f, 0.9f, 0.1f)),
+      scenes::quad(Vec3(-0.8f, -0.2f, -0.9f), Vec3(-0.8f, -0.2f, -0.5f), Vec3(-0.5f, 0.4f, -0.5f),
+                   Vec3(-0.5f, 0.4f, -0.9f)),
+      {},  // the sphere
+      scenes::lantern()};
+  const scenes::MeshData& mesh = meshes[light];
+  uint32_t best = 0;
+  float least = 1e30f;
+  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Vec3 a = mesh.positions[t.a], b = mesh.positions[t.b], c = mesh.positions[t.c];
+    // Areas of the three triangles with p: their sum is least where p is within.
+    const float sum = length(cross(a - p, b - p)) + length(cross(b - p, c - p)) + length(cross(c - p, a - p));
+    const float excess = sum - length(cross(b - a, c - a));
+    if (excess < least) least = excess, best = i;
+  }
+  return best;
 }
 
 void append(Path& path, const EyeSubpaths& eye, const Vertex& z) {  // z ... z_0, backwards
@@ -248,17 +261,18 @@ TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithTechniquesMasked) {
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithATreeOfLights) {
-  expect_product_weights({.points = true}, false, {}, LightSelection::Tree);
+  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Tree);
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndATreeOfLights) {
-  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, true, {}, LightSelection::Tree);
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true, .lantern = true}, true, {},
+                         LightSelection::Tree);
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithSeveralDirectSamples) {
-  expect_product_weights({.points = true}, false, {}, LightSelection::Tree, 3);
+  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Tree, 3);
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithEveryLightInTurn) {
-  expect_product_weights({.points = true}, false, {}, LightSelection::Each, 2);
+  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Each, 2);
 }
 
 // Random densities, specular vertices, techniques that do not exist: whatever the path, the weights sum to one.
