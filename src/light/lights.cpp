@@ -22,11 +22,17 @@ void place_on_sphere(const Vec3& center, float radius, const Vec3& n, LightPoint
   y0.margin = margin_of_sphere(center, radius);
 }
 
+// Whether x sees a sphere as a cap from outside. Points on the sphere itself, rounded to either side, do not. One
+// function, never inlined: sampling and density must not round differently.
+[[gnu::noinline]] bool sees_cap(const Vec3& center, float radius, const Vec3& x) {
+  return length_squared(center - x) > radius * radius * 1.0001f;
+}
+
 // A point of a sphere, within what x sees of it.
 void place_on_visible_sphere(const Vec3& center, float radius, const Vec3& x, float u0, float u1, LightPoint& y0) {
   const Vec3 to_center = center - x;
   const float d2 = length_squared(to_center);
-  if (!(d2 > radius * radius)) return place_on_sphere(center, radius, sample_sphere(u0, u1), y0);
+  if (!sees_cap(center, radius, x)) return place_on_sphere(center, radius, sample_sphere(u0, u1), y0);
   const Vec3 local = sample_cone(u0, u1, one_minus_cos_cap(radius, d2));
   const Vec3 w = Frame(to_center * (1 / std::sqrt(d2))).to_world(local);
   const float sin2 = 1 - local.z * local.z;
@@ -287,8 +293,8 @@ float Lights::direct_density(const LightPoint& y0, const Vec3& x, float chosen) 
   if (y0.infinite) return chosen * 0.25f * kInvPi;
   if (!y0.has_area) return chosen;
   const Light& l = at(y0.light);
+  if (l.kind != Kind::Sphere || !sees_cap(l.center, l.radius, x)) return chosen * l.inverse_area;
   const float center2 = length_squared(l.center - x);
-  if (l.kind != Kind::Sphere || !(center2 > l.radius * l.radius)) return chosen * l.inverse_area;
   const Vec3 w = x - y0.p;
   const float d2 = length_squared(w);
   const float cos_y = dot(y0.normal, w) / std::sqrt(d2);
