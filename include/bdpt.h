@@ -628,6 +628,15 @@ typedef int32_t bdpt_light_start;
 #define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
 #define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
 
+/* How direct lighting (s = 1) chooses a light for the point that is lit. A light is a point, a spot, an environment, or
+ * an instance that emits. */
+typedef int32_t bdpt_light_selection;
+#define BDPT_LIGHT_SELECTION_POWER 0   /* one light, by emitted power; a point on it by area */
+#define BDPT_LIGHT_SELECTION_UNIFORM 1 /* one light, every light alike */
+#define BDPT_LIGHT_SELECTION_TREE 2    /* one light, or triangle of a light, by what it may send to the point: a tree of
+                                          lights, for many of them. An environment takes half */
+#define BDPT_LIGHT_SELECTION_EACH 3    /* every light in turn, at most 64 lights */
+
 typedef int32_t bdpt_order;
 #define BDPT_ORDER_METRIC 0  /* by the sum of the squares of a subpath's edges: Chaitanya et al. (2018), 4.2 */
 #define BDPT_ORDER_HILBERT 1 /* by the place of the last vertex on a Hilbert curve */
@@ -662,7 +671,11 @@ typedef struct bdpt_render_desc {
   bdpt_partners partners;       /* matrix: how light subpaths are chosen in that order */
   bdpt_shadow_roulette shadow_roulette;
   float shadow_threshold;       /* fixed roulette: in units of a pixel's value, above 0; else 0 */
-  uint32_t reserved;            /* 0 */
+  bdpt_light_selection light_selection; /* of direct lighting; light_start is how light subpaths start */
+  uint32_t direct_samples;      /* points on lights that direct lighting takes at each eye vertex, with
+                                   BDPT_LIGHT_SELECTION_EACH on each light; [1,64]; 0 = 1 */
+  uint32_t direct_candidates;   /* each of them is chosen among so many by what it would contribute without shadows,
+                                   [1,64]; 0 = 1 */
 } bdpt_render_desc;
 
 /* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.

@@ -56,19 +56,28 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   EXPECT_OK(try_render([](auto& d) { d.light_samples = 2; }));
   refused([](auto& d) { d.light_samples = 1025; });
   refused([](auto& d) { d.plan = "mmlt", d.light_samples = 2; });
+  refused([](auto& d) { d.plan = "mmlt", d.direct_samples = 2; });
+  refused([](auto& d) { d.plan = "mmlt", d.direct_candidates = 2; });
+  refused([](auto& d) { d.plan = "mmlt", d.light_selection = BDPT_LIGHT_SELECTION_EACH; });
+  refused([](auto& d) { d.plan = "mmlt", d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; });
   refused([](auto& d) { d.plan = "mmlt", d.connections = 1; });
   refused([](auto& d) { d.pool_passes = 8; });
   refused([](auto& d) { d.plan = "matrix", d.pool_passes = 65; });
   refused([](auto& d) { d.plan = "matrix", d.first_pass = 4; });  // cuts through a pool
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
-  refused([](auto& d) { d.reserved = 1; });
   EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; }));
   EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_FIXED, d.shadow_threshold = 0.1f; }));
   refused([](auto& d) { d.shadow_roulette = 3; });
   refused([](auto& d) { d.shadow_threshold = 0.1f; });
   for (float threshold : {0.0f, -1.0f, kNan, std::numeric_limits<float>::infinity()})
     refused([=](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_FIXED, d.shadow_threshold = threshold; });
+  refused([](auto& d) { d.light_selection = 4; });
+  refused([](auto& d) { d.light_selection = -1; });
+  refused([](auto& d) { d.direct_samples = 65; });
+  refused([](auto& d) { d.direct_candidates = 65; });
+  for (bdpt_light_selection s = BDPT_LIGHT_SELECTION_POWER; s <= BDPT_LIGHT_SELECTION_EACH; ++s)
+    EXPECT_OK(try_render([&](auto& d) { d.light_selection = s, d.direct_samples = d.direct_candidates = 64; }));
   // Nothing that was refused holds the film.
   EXPECT_NE(nullptr, world_.render());
 }
@@ -163,6 +172,26 @@ TEST_F(ApiRender, APlanOfPoolsTakesItsPassesAtOnce) {
   ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
   EXPECT_EQ(8u, stats.passes);
   EXPECT_EQ(8u * 24 * 16, stats.samples);
+}
+
+TEST_F(ApiRender, OnlySoManyLightsTakeTurns) {
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.light_selection = BDPT_LIGHT_SELECTION_EACH;
+  bdpt_light_desc light = make<bdpt_light_desc>();
+  light.type = BDPT_LIGHT_POINT;
+  light.intensity[0] = 1;
+  bdpt_light_id id{};
+  for (int lights = 2; lights <= 65; ++lights) {  // the scene has one
+    ASSERT_OK(bdpt_light_add(world_.builder.get(), &light, &id));
+    if (lights < 64) continue;
+    const Scene scene = build(world_.builder.get());
+    bdpt_render* render = nullptr;
+    EXPECT_EQ(lights == 64 ? BDPT_OK : BDPT_ERROR_INVALID_ARGUMENT,
+              bdpt_render_create(scene.get(), world_.sensor.get(), world_.film.get(), &desc, &render));
+    bdpt_render_destroy(render);
+    ASSERT_OK(bdpt_film_clear(world_.film.get()));
+  }
+  EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "BDPT_LIGHT_SELECTION_TREE")) << bdpt_last_error();
 }
 
 // A pool over the context's limit is refused before any work.

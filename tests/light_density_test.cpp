@@ -1,4 +1,6 @@
 // Lights: the densities they tell are those they sample with.
+#include "light/direct_lighting.h"
+#include "sampling/warp.h"
 #include "scenes.h"
 #include "statistics.h"
 
@@ -81,23 +83,42 @@ TEST(LightDensity, StartsCarryThePower) {
   }
 }
 
+constexpr LightSelection kSelections[] = {LightSelection::Power, LightSelection::Uniform, LightSelection::Tree};
+
+// Facing somewhere, or lit from all sides alike where the normal is zero.
+Receiver receiver_at(const Vec3& x, Uniform& uniform, int i) {
+  return {x, i % 3 == 0 ? Vec3(0) : sample_sphere(uniform(), uniform())};
+}
+
+bool sample_direct(const DirectLighting& lighting, const Receiver& x, Uniform& uniform, DirectLight& direct) {
+  const double u = join(uniform(), uniform());
+  const float u1 = uniform(), u2 = uniform();
+  return lighting.sample(x, int(u * lighting.turns()), u * lighting.turns() - int(u * lighting.turns()), u1, u2,
+                         direct);
+}
+
+// To the bit: a path's weights must not depend on which technique made it.
 TEST(LightDensity, OfDirectLightingIsThatOfItsPoint) {
   const auto scene = all_lights();
   const Lights& lights = scene->lights();
-  Uniform uniform(3);
-  for (const Vec3& x : kPlaces)
-    for (int i = 0; i < 5000; ++i) {
-      const float u[4] = {uniform(), uniform(), uniform(), uniform()};
-      DirectLight direct;
-      if (!lights.sample_direct(x, u, direct)) continue;
-      EXPECT_FLOAT_EQ(direct.density, lights.direct_density(direct.y0, x));
-      EXPECT_NEAR(length(direct.direction), 1, 1e-5);
-      EXPECT_FALSE(is_black(direct.radiance));
-      if (direct.y0.infinite) continue;
-      EXPECT_NEAR(length(x + direct.direction * direct.distance - direct.y0.p), 0, 1e-4 * direct.distance);
-      const Rgb emitted = lights.emitted(direct.y0, -direct.direction);
-      EXPECT_NEAR(emitted.g, direct.radiance.g, 1e-4 * emitted.g);
-    }
+  for (const LightSelection selection : kSelections) {
+    const DirectLighting lighting(lights, selection);
+    Uniform uniform(3);
+    for (const Vec3& place : kPlaces)
+      for (int i = 0; i < 5000; ++i) {
+        const Receiver receiver = receiver_at(place, uniform, i);
+        const Vec3& x = receiver.p;
+        DirectLight direct;
+        if (!sample_direct(lighting, receiver, uniform, direct)) continue;
+        EXPECT_EQ(direct.density, lighting.density(direct.y0, receiver));
+        EXPECT_NEAR(length(direct.direction), 1, 1e-5);
+        EXPECT_FALSE(is_black(direct.radiance));
+        if (direct.y0.infinite) continue;
+        EXPECT_NEAR(length(x + direct.direction * direct.distance - direct.y0.p), 0, 1e-4 * direct.distance);
+        const Rgb emitted = lights.emitted(direct.y0, -direct.direction);
+        EXPECT_NEAR(emitted.g, direct.radiance.g, 1e-4 * emitted.g);
+      }
+  }
 }
 
 // The integral over all lights of P_A^d is one, those parts apart that cannot be chosen; by points that lie evenly on
@@ -105,16 +126,22 @@ TEST(LightDensity, OfDirectLightingIsThatOfItsPoint) {
 TEST(LightDensity, OfDirectLightingIntegratesToOne) {
   const auto scene = all_lights();
   const Lights& lights = scene->lights();
-  for (const Vec3& x : kPlaces) {
-    Uniform uniform(4);
-    Estimate integral;
-    for (int i = 0; i < 200000; ++i) {
-      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
-      LightStart start;
-      ASSERT_TRUE(lights.start(u, v, true, start));
-      integral.add(lights.direct_density(start.y0, x) / start.density_position);
+  for (const LightSelection selection :
+       {LightSelection::Power, LightSelection::Uniform, LightSelection::Tree, LightSelection::Each}) {
+    const DirectLighting lighting(lights, selection);
+    for (const Vec3& place : kPlaces) {
+      Uniform uniform(4);
+      const Receiver x = receiver_at(place, uniform, 1);
+      Estimate integral;
+      for (int i = 0; i < 200000; ++i) {
+        const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+        LightStart start;
+        ASSERT_TRUE(lights.start(u, v, true, start));
+        integral.add(lighting.density(start.y0, x) / start.density_position);
+      }
+      EXPECT_LT(deviation(integral, lighting.turns(), 1e-4 * lighting.turns()), kMaxDeviation)
+          << int(selection) << ": " << x.p.x << ' ' << x.p.y << ' ' << x.p.z;
     }
-    EXPECT_LT(deviation(integral, 1, 1e-4), kMaxDeviation) << x.x << ' ' << x.y << ' ' << x.z;
   }
 }
 
@@ -124,7 +151,7 @@ TEST(LightDensity, OfDirectLightingIsWhatItSamples) {
   scenes::Builder b;
   b.add_sphere(Vec3(0), radius, scenes::emitter(Rgb(1), true));
   const auto scene = b.build();
-  const Lights& lights = scene->lights();
+  const DirectLighting lighting(scene->lights(), LightSelection::Power);
   for (float distance : {0.0f, 0.3f, 0.5001f, 0.6f, 2.0f, 50.0f}) {
     const Vec3 x(0, distance, 0);
     // The cap that is seen in four zones of equal area, by the cosine from its centre; within, the whole sphere.
@@ -132,9 +159,8 @@ TEST(LightDensity, OfDirectLightingIsWhatItSamples) {
     Uniform uniform(5);
     Estimate zone[4];
     for (int i = 0; i < 100000; ++i) {
-      const float u[4] = {uniform(), uniform(), uniform(), uniform()};
       DirectLight direct;
-      if (!lights.sample_direct(x, u, direct)) continue;
+      if (!sample_direct(lighting, {x, Vec3(0)}, uniform, direct)) continue;
       const double place = (direct.y0.normal.y - least) / (1 - least);
       const int k = std::clamp(int(place * 4), 0, 3);
       EXPECT_GT(place, -1e-2);

@@ -21,6 +21,8 @@ struct Kind {
   int light_samples = 1;
   uint64_t pool_passes = 1;  // all numbers of passes below are times this
   Roulette roulette = Roulette::None;
+  LightSelection selection = LightSelection::Power;
+  int direct_samples = 1;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -39,6 +41,8 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.light_samples = GetParam().light_samples;
     d.transport.pool_passes = int(GetParam().pool_passes);
     d.transport.shadow_roulette = GetParam().roulette;
+    d.transport.light_selection = GetParam().selection;
+    d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -201,6 +205,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"stratified", SamplerType::Stratified, "one-to-one"},
                       Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+                      Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"combinatorial", SamplerType::Independent, "combinatorial"},
                       Kind{"roulette", SamplerType::Sobol, "one-to-one", 2, 1, Roulette::Efficiency},

@@ -260,7 +260,10 @@ struct RoomOptions {
   bool points = false;       // a point and a spot light, out of the pictures
   bool environment = false;  // through a hole in the ceiling, which no camera inside sees
   float scale = 1;
+  bool lantern = false;  // a mesh of many triangles that shines
 };
+
+inline MeshData lantern() { return ball(Vec3(-0.6f, 0.5f, -0.5f), 0.15f, 3, false); }
 
 inline Builder room(const RoomOptions& options) {
   Builder b(options.scale);
@@ -277,6 +280,7 @@ inline Builder room(const RoomOptions& options) {
   b.add(quad(Vec3(-0.8f, -0.2f, -0.9f), Vec3(-0.8f, -0.2f, -0.5f), Vec3(-0.5f, 0.4f, -0.5f), Vec3(-0.5f, 0.4f, -0.9f)),
         emitter(Rgb(1, 1.5f, 2), true, 0.4f));
   b.add_sphere(Vec3(0.65f, 0.35f, -0.5f), 0.15f, emitter(Rgb(3, 2, 1), false, 0.3f));
+  if (options.lantern) b.add(lantern(), emitter(Rgb(2, 2.5f, 3), false, 0.3f));
   const Vec3 left(-0.4f, -0.6f, -0.2f), right(0.4f, -0.65f, 0.1f), middle(0, -0.2f, -0.6f);
   switch (options.contents) {
     case Contents::Diffuse:

@@ -101,6 +101,13 @@ grep -q '"mutations": [1-9]' stdout.txt || fail "mmlt: $(cat stdout.txt)"
 expect 0 '' compare mmlt.exr full.exr
 expect 3 '^bdpt: .*light_samples.*one light subpath' render box.pbrt -o a.exr --integrator mmlt --light-samples 2
 expect 3 '^bdpt: .*multiple of 16' render box.pbrt -o a.exr --integrator mmlt --spp 8
+for selection in power uniform tree each; do
+  expect 0 '' render box.pbrt -o s.exr --spp 8 --light-selection $selection --direct-samples 2 --direct-candidates 2
+  expect 0 '' compare s.exr full.exr
+done
+expect 2 '^bdpt: .*choose one of: each, power, tree, uniform' render box.pbrt -o a.exr --light-selection guess
+expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --direct-samples 0
+expect 3 '^bdpt: .*direct_candidates' render box.pbrt -o a.exr --direct-candidates 65
 expect 2 '^bdpt: .*--integrator' render box.pbrt -o a.exr --integrator guess
 expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --integrator pooled --connections 0
 expect 3 '^bdpt: .*connections.*does not choose' render box.pbrt -o a.exr --integrator two-way --connections 2

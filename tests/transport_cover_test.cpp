@@ -81,12 +81,12 @@ TransportOptions options_of(const Choice& c) {
   o.heuristic = heuristics[c[kHeuristic]];
   o.beta = c[kHeuristic] == 4 ? 1.5f : 2;
   o.cutoff = 0.1f;
-  o.shadow_roulette = o.plan->shadow_roulette ? Roulette(c[kRoulette]) : Roulette::None;
+  o.shadow_roulette = o.plan->chains ? Roulette::None : Roulette(c[kRoulette]);
   o.shadow_threshold = 0.05f;
   o.sampler = SamplerType(c[kSampler]);
   const int connections[] = {0, 1, 3};
   o.connections = o.plan->default_connections > 0 ? connections[c[kConnections]] : 0;
-  o.light_samples = o.plan->light_samples ? 1 + c[kLightSamples] : 1;
+  o.light_samples = o.plan->chains ? 1 : 1 + c[kLightSamples];
   o.uniform_light_start = c[kStart] == 1;
   o.order = Order(c[kOrder]);
   o.partners = Partners(c[kOrder] % 2);

@@ -111,7 +111,9 @@ TEST(TransportMmlt, ProposalsAreUniformWhereTheTargetIs) {
       chain.accept();
       chain.propose(mask, step == 0 ? 1.0f : 0.0f);
       now = chain.draw(engine, true, 2, Purpose::Scatter);
-      if (step > 0) EXPECT_LE(std::min(std::fabs(now[1] - before[1]), 1 - std::fabs(now[1] - before[1])), 1.001f / 64);
+      if (step > 0) {
+        EXPECT_LE(std::min(std::fabs(now[1] - before[1]), 1 - std::fabs(now[1] - before[1])), 1.001f / 64);
+      }
       if (step == 1) moves[now[1] > before[1] ? 0 : 1] += 1;
       if (step < kSteps - 1) before = now;
     }

@@ -23,7 +23,7 @@ TransportOptions options_of(const Plan* plan, Roulette roulette, float threshold
 std::vector<size_t> plans_with_roulette() {
   std::vector<size_t> plans;
   for (size_t i = 0; plan_at(i); ++i)
-    if (plan_at(i)->shadow_roulette) plans.push_back(i);
+    if (!plan_at(i)->chains) plans.push_back(i);
   return plans;
 }
 

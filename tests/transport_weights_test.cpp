@@ -57,7 +57,7 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   d.vertices.resize(k + 1);
   for (PathVertex& v : d.vertices) v.specular = false;
   const double position = lights.position_density(path.light, engine.options.uniform_light_start);
-  d.direct = lights.direct_density(path.light, at(1)) / position;
+  d.direct = k > 1 ? engine.direct_lighting.density(path.light, path.points[1].surface->receiver()) / position : 1;
   d.vertices[0].light = position;
   d.vertices[1].light = lights.direction_density(path.light, unit(at(1) - at(0))) * geometry(0);
   for (size_t i = 1; i < k; ++i)
@@ -78,7 +78,29 @@ struct SamplePath {
 };
 
 // The emitters of scenes::room() are told apart by their colour.
-int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1 ? 1 : 2; }
+int light_of(const Rgb& emission) { return emission.r == 4 ? 0 : emission.r == 1 ? 1 : emission.r == 3 ? 2 : 3; }
+
+// The triangle of one of them that a point is on.
+uint32_t primitive_of(int light, const Vec3& p) {
+  const scenes::MeshData meshes[] = {
+      scenes::quad(Vec3(-0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, 0.1f), Vec3(-0.4f, 0.9f, 0.1f)),
+      scenes::quad(Vec3(-0.8f, -0.2f, -0.9f), Vec3(-0.8f, -0.2f, -0.5f), Vec3(-0.5f, 0.4f, -0.5f),
+                   Vec3(-0.5f, 0.4f, -0.9f)),
+      {},  // the sphere
+      scenes::lantern()};
+  const scenes::MeshData& mesh = meshes[light];
+  uint32_t best = 0;
+  float least = 1e30f;
+  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Vec3 a = mesh.positions[t.a], b = mesh.positions[t.b], c = mesh.positions[t.c];
+    // Areas of the three triangles with p: their sum is least where p is within.
+    const float sum = length(cross(a - p, b - p)) + length(cross(b - p, c - p)) + length(cross(c - p, a - p));
+    const float excess = sum - length(cross(b - a, c - a));
+    if (excess < least) least = excess, best = i;
+  }
+  return best;
+}
 
 void append(Path& path, const EyeSubpaths& eye, const Vertex& z) {  // z ... z_0, backwards
   const Vertex* v = &z;
@@ -87,7 +109,7 @@ void append(Path& path, const EyeSubpaths& eye, const Vertex& z) {  // z ... z_0
   path.points.push_back({eye.starts[0].p});
 }
 
-std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
+std::vector<SamplePath> paths_of(const Block& block) {
   const EyeSubpaths& eye = block.eye();
   const LightSubpaths& light = block.light();
   const Engine& engine = block.engine();
@@ -104,12 +126,14 @@ std::vector<SamplePath> paths_of(const Block& block, const Scene& scene) {
     const Vertex& z = eye.vertices[i];
     if (!is_black(z.material->emission)) {
       Path path;
-      path.light = {light_of(z.material->emission), false, true, z.p, z.ng};
+      const int light = light_of(z.material->emission);
+      path.light = {light, primitive_of(light, z.p), false, true, z.p, z.ng};
       append(path, eye, z);
       if (z.count > 2) paths.push_back({0, int(z.count), path});
     }
     DirectLight direct;
-    if (scene.lights().sample_direct(z.p, engine.draw(eye.streams[0], z.count, Purpose::Connect).u, direct)) {
+    const Four u = engine.draw(eye.streams[0], z.count, Purpose::Connect);
+    if (engine.direct_lighting.sample(z.receiver(), 0, join(u[0], u[3]), u[1], u[2], direct)) {
       Path path;
       path.light = direct.y0;
       path.points.push_back({direct.y0.p});
@@ -182,11 +206,14 @@ TransportOptions with(TransportOptions options, const Kind& kind) {
   return options;
 }
 
-void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_start, const TechniqueMask& mask) {
+void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_start, const TechniqueMask& mask,
+                            LightSelection selection = LightSelection::Power, int direct_samples = 1) {
   const ScenePointer scene = scenes::room(room).build();
   const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
   TransportOptions options = options_for(mask, kMaxEdges);
   options.uniform_light_start = uniform_light_start;
+  options.light_selection = selection;
+  options.direct_samples = direct_samples;
   OneSample plain(*scene, *camera, with(options, {"none", Heuristic::None}));
   std::vector<std::unique_ptr<OneSample>> weighted;
   for (const Kind& kind : kHeuristics)
@@ -196,13 +223,15 @@ void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_
   for (uint64_t pass = 0; pass < 150; ++pass) {
     plain.run(pass);
     for (auto& w : weighted) w->run(pass);
-    for (const SamplePath& p : paths_of(plain.block(), *scene)) {
+    for (const SamplePath& p : paths_of(plain.block())) {
       if (p.s + p.t - 1 > kMaxEdges || !mask.allows(p.s, p.t)) continue;
+      if (p.s == 1 && p.t > 1 && direct_samples > 1) continue;  // a sum of several paths
       const double whole = plain.contribution(p.s, p.t);
       if (!(whole > 1e-6)) continue;  // occluded, or dark
       const Densities d = densities_of(p.path, *scene, plain.engine());
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
       techniques.s0_exists = p.path.light.has_area;
+      techniques.counts.direct = float(direct_samples);
       for (size_t i = 0; i < kHeuristics.size(); ++i) {
         const TransportOptions& o = weighted[i]->engine().options;
         const std::string what = kHeuristics[i].name + " (" + std::to_string(p.s) + "," + std::to_string(p.t) + ")";
@@ -229,6 +258,21 @@ TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndUnif
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithTechniquesMasked) {
   expect_product_weights({.points = true}, false, mask_of([](int s, int t) { return s != 1 && t != 0; }));
+}
+
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithATreeOfLights) {
+  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Tree);
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndATreeOfLights) {
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true, .lantern = true}, true, {},
+                         LightSelection::Tree);
+}
+
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithSeveralDirectSamples) {
+  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Tree, 3);
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithEveryLightInTurn) {
+  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Each, 2);
 }
 
 // Random densities, specular vertices, techniques that do not exist: whatever the path, the weights sum to one.
@@ -269,6 +313,8 @@ TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
           TransportOptions options = with(options_for(mask, kMaxEdges), kHeuristics[i]);
           options.uniform_light_start = uniform_light_start;
           options.light_samples = i == 1 ? 3 : 1;  // techniques that differ in their number of samples
+          options.light_selection = i == 2 ? LightSelection::Tree : LightSelection::Power;
+          options.direct_samples = i == 3 ? 2 : 1;
           OneSample fast(*scene, *camera, options), slow(*scene, *camera, options);
           ASSERT_TRUE(fast.engine().running_sums);
           slow.engine().running_sums = false;

@@ -13,6 +13,7 @@ namespace {
 constexpr float kDefaultBeta = 2, kMaxBeta = 64;
 constexpr uint32_t kDefaultStrata = 4, kMaxStrata = 256, kDefaultRouletteStart = 4, kMaxBlock = 65536;
 constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024, kMaxPoolPasses = 64;
+constexpr uint32_t kMaxDirect = 64, kMaxLightsInTurn = 64;
 
 // More than any path has, so nothing is lost.
 int to_int(uint32_t v) { return int(std::min(v, uint32_t(std::numeric_limits<int>::max()))); }
@@ -28,6 +29,34 @@ const Plan* read_plan(const Subject& subject, const char* name) {
   std::string names;
   for (const Plan* const* p = kPlans; *p; ++p) names += std::string(names.empty() ? "" : ", ") + (*p)->name;
   subject.refuse("plan", "is \"", name, "\": give one of ", names, ", or NULL for ", kPlans[0]->name);
+}
+
+void read_shadow_roulette(const Subject& subject, const bdpt_render_desc& desc, TransportOptions& options) {
+  subject.check_enum("shadow_roulette", desc.shadow_roulette, BDPT_SHADOW_ROULETTE_EFFICIENCY);
+  options.shadow_roulette = static_cast<Roulette>(desc.shadow_roulette);
+  if (options.shadow_roulette != Roulette::None && options.plan->chains)
+    subject.refuse("shadow_roulette", "is set, but the plan ", options.plan->name,
+                   " tests all its connections: give none, or another plan");
+  const bool fixed = options.shadow_roulette == Roulette::Fixed;
+  if (fixed ? !(desc.shadow_threshold > 0 && std::isfinite(desc.shadow_threshold)) : desc.shadow_threshold != 0)
+    subject.refuse("shadow_threshold", "is ", desc.shadow_threshold,
+                   fixed ? ": give a value above 0" : ": give 0, or set shadow_roulette to fixed");
+  options.shadow_threshold = desc.shadow_threshold;
+}
+
+void read_direct_lighting(const Subject& subject, const bdpt_render_desc& desc, TransportOptions& options) {
+  subject.check_enum("light_selection", desc.light_selection, BDPT_LIGHT_SELECTION_EACH);
+  options.light_selection = static_cast<LightSelection>(desc.light_selection);
+  subject.check_range("direct_samples", desc.direct_samples, 0, kMaxDirect);
+  options.direct_samples = int(desc.direct_samples == 0 ? 1 : desc.direct_samples);
+  subject.check_range("direct_candidates", desc.direct_candidates, 0, kMaxDirect);
+  options.direct_candidates = int(desc.direct_candidates == 0 ? 1 : desc.direct_candidates);
+  const bool several =
+      options.light_selection == LightSelection::Each || options.direct_samples > 1 || options.direct_candidates > 1;
+  if (several && options.plan->chains)
+    subject.refuse("direct_samples",
+                   "direct_candidates or light_selection ask for several points on lights, but the plan ",
+                   options.plan->name, " takes one: give 0 and another selection than each, or another plan");
 }
 
 TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& desc) {
@@ -64,19 +93,10 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.order = static_cast<Order>(desc.order);
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
   options.partners = static_cast<Partners>(desc.partners);
-  subject.check_enum("shadow_roulette", desc.shadow_roulette, BDPT_SHADOW_ROULETTE_EFFICIENCY);
-  options.shadow_roulette = static_cast<Roulette>(desc.shadow_roulette);
-  if (options.shadow_roulette != Roulette::None && !plan.shadow_roulette)
-    subject.refuse("shadow_roulette", "is set, but the plan ", plan.name,
-                   " tests all its connections: give none, or another plan");
-  const bool fixed = options.shadow_roulette == Roulette::Fixed;
-  if (fixed ? !(desc.shadow_threshold > 0 && std::isfinite(desc.shadow_threshold)) : desc.shadow_threshold != 0)
-    subject.refuse("shadow_threshold", "is ", desc.shadow_threshold,
-                   fixed ? ": give a value above 0" : ": give 0, or set shadow_roulette to fixed");
-  options.shadow_threshold = desc.shadow_threshold;
-  if (desc.reserved != 0) subject.refuse("reserved", "is ", desc.reserved, ": give 0");
+  read_shadow_roulette(subject, desc, options);
+  read_direct_lighting(subject, desc, options);
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
-  if (desc.light_samples > 1 && !plan.light_samples)
+  if (desc.light_samples > 1 && plan.chains)
     subject.refuse("light_samples", "is ", desc.light_samples, ", but the plan ", plan.name,
                    " takes one light subpath with an eye subpath: give 0 or 1, or another plan");
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
@@ -102,6 +122,14 @@ void check_fit(const bdpt_scene& scene, const bdpt_sensor& sensor, const bdpt_fi
   if (desc.width != sensor.sensor->width() || desc.height != sensor.sensor->height())
     fail(ErrorCode::Mismatch, "the film is ", desc.width, " x ", desc.height, " pixels and the sensor ",
          sensor.sensor->width(), " x ", sensor.sensor->height(), ": create the film for this sensor");
+}
+
+void check_turns(const bdpt_scene& scene, LightSelection selection) {
+  const size_t lights = scene.scene->lights().count();
+  if (selection == LightSelection::Each && lights > kMaxLightsInTurn)
+    Subject("render", nullptr)
+        .refuse("light_selection", "is BDPT_LIGHT_SELECTION_EACH, which takes at most ", kMaxLightsInTurn,
+                " lights, and the scene has ", lights, ": give BDPT_LIGHT_SELECTION_TREE");
 }
 
 // Told only to hosts that asked for a technique in so many words: with "all" nobody expects what cannot be.
@@ -139,6 +167,7 @@ bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film
     require(render, "render");
     const RenderDesc options = read_render(d);
     check_fit(*scene, *sensor, *film);
+    check_turns(*scene, options.transport.light_selection);
     auto object = std::make_unique<bdpt_render>();
     object->context = scene->context;
     object->film = Ref<bdpt_film>(film);

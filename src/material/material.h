@@ -32,6 +32,8 @@ struct Material {
   bool is_anisotropic() const { return alpha_u != alpha_v; }
   // A dielectric whose two sides are optically the same: all light passes straight through, however rough.
   bool is_index_matched() const { return type == MaterialType::Dielectric && std::fabs(ior - 1) < 1e-4f; }
+  // Whether light from one side may go on to the other.
+  bool transmits() const { return type == MaterialType::Dielectric; }
   // True where the scattering is a Dirac: no connection can be made here (Veach 10.3.5).
   bool is_specular() const {
     return type == MaterialType::Mirror || (type != MaterialType::Diffuse && is_smooth()) || is_index_matched();

@@ -115,7 +115,9 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
     blocks_done_.assign(blocks_.size(), 0);
     const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
     const uint64_t in_flight = engine_->plan.in_flight ? engine_->plan.in_flight : block_samples * n;
-    booking_ = Booking(meter, executor_->worker_count() * in_flight * kBytesPerSample, "the render's blocks");
+    booking_ =
+        Booking(meter, executor_->worker_count() * in_flight * kBytesPerSample + engine_->direct_lighting.memory(),
+                "the render's blocks and tree of lights");
     if (engine_->plan.pooled) make_pool(meter);
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {

@@ -24,13 +24,20 @@ struct Stream {
       : scramble(scramble_), index(index_), reversed(reverse_bits(index_)) {}
 };
 
+// The same point of another sequence, independent of the first: for a purpose that wants several points of its group.
+// Number 0 is the stream itself.
+inline Stream another(Stream stream, uint32_t number) {
+  if (number > 0) stream.scramble = hash_values(stream.scramble, number);
+  return stream;
+}
+
 // Group of four for the start of a subpath, and per vertex.
 enum class Purpose : uint32_t {
   Start = 0,      // eye: film 2, lens 2. Light: choice of light, position 2
   Direction = 1,  // light: first direction 2
   Partner = 1,    // at a vertex: eye: which light vertices it meets
   Scatter = 2,    // at a vertex: event, direction 2, roulette
-  Connect = 3,    // at a vertex: eye: light and point on it (s = 1). Light: lens (t = 1)
+  Connect = 3,    // at a vertex: eye: light and point on it (s = 1), of as many streams as wanted. Light: lens (t = 1)
 };
 inline uint32_t dimension_group(int vertex, Purpose purpose) { return uint32_t(vertex) * 4 + uint32_t(purpose); }
 

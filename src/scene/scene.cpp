@@ -200,7 +200,6 @@ void Scene::collect_lights() {
       light.radius = instance.radius;
       light.area = 4 * kPi * instance.radius * instance.radius;
     } else {
-      std::vector<double> area;
       double total = 0;
       for (size_t k = 0; k < instance.mesh->triangles.size(); ++k) {
         const Triangle t = instance.mesh->triangles[k];
@@ -214,11 +213,9 @@ void Scene::collect_lights() {
         if (!emits) continue;
         Surface surface{};
         const bool valid = triangle_surface(instance, uint32_t(k), 1.0f / 3, 1.0f / 3, surface);
-        area.push_back(valid ? 0.5 * double(length(cross(corner[1] - corner[0], corner[2] - corner[0]))) : 0);
-        total += area.back();
         light.triangles.emplace_back(corner[0], corner[1], corner[2], valid ? surface.ng : Vec3(0), surface.margin);
+        total += light.triangles.back().area();
       }
-      if (emits) light.by_area = Discrete(area);
       light.area = float(total);
     }
     if (emits && light.area > 0) {
@@ -231,7 +228,7 @@ void Scene::collect_lights() {
   if (low.x > high.x) low = high = Vec3(0);
   info_.bounds_min = low;
   info_.bounds_max = high;
-  lights_.build(std::move(areas), desc_.lights, (low + high) * 0.5f, 0.5f * length(high - low));
+  lights_.build(areas, desc_.lights, (low + high) * 0.5f, 0.5f * length(high - low));
 }
 
 bool Scene::triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& s) const {
@@ -274,6 +271,7 @@ bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
   const Material& material = *instance.material;
   s.material = &material;
   s.light = instance.light;
+  s.primitive = hit.primitive;
   s.reflectance = material.reflectance;
   if (instance.sphere) {
     const Vec3 n = ray.origin + ray.direction * hit.t - instance.center;

@@ -22,7 +22,8 @@ struct Surface {
   Vec3 tangent;  // along u of uv set 0; set for anisotropic materials only
   Rgb reflectance;
   const Material* material = nullptr;
-  int light = -1;  // index of the area light this instance is, or -1
+  int light = -1;          // index of the area light this instance is, or -1
+  uint32_t primitive = 0;  // triangle of the mesh
 };
 
 struct SceneInfo {

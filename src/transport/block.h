@@ -117,6 +117,7 @@ class Block {
   // The front end of a subpath: about to find its next vertex.
   struct Walker {
     Vec3 origin;   // the last vertex, not moved off its surface
+    Vec3 normal;   // its Receiver's, for the density of direct lighting
     float cosine;  // at it, with its geometric normal; 1 for points; unused where infinite
     Vec3 direction;
     float projected;  // P_sigma-perp of direction
@@ -167,8 +168,10 @@ class Block {
   void hit_light(const Walker& walker, const Vertex& z, const LightPoint& x0, const Rgb& radiance);
   void continue_walk(const Walker& walker, Vertex& vertex, uint32_t index);
   void connect_ends();
-  // s = 1: joins z to a fresh light vertex.
+  // s = 1: joins z to fresh light vertices.
   void connect_to_light(const Vertex& z, uint32_t sample);
+  // The weighted contribution of one of them, but for its visibility and their number.
+  Rgb direct_contribution(const Vertex& z, const DirectLight& light);
   // t = 1: joins y to a fresh sensor vertex.
   void connect_to_sensor(const Vertex& y, uint32_t light);
   // (1,1): joins y_0 to a fresh sensor vertex.

@@ -42,49 +42,83 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
 }
 
 void Block::connect_to_light(const Vertex& z, uint32_t sample) {
-  ++stats_.connections;
+  const DirectLighting& lighting = engine_.direct_lighting;
+  const Receiver x = z.receiver();
+  const uint32_t samples = uint32_t(engine_.options.direct_samples);
+  const uint32_t candidates = uint32_t(engine_.options.direct_candidates), strata = samples * candidates;
+  const auto numbers = [&](uint32_t i) {
+    if (i == 0) return draw(true, sample, z.count, Purpose::Connect);
+    return engine_.draw(another(eye_.streams[sample], i), z.count, Purpose::Connect);
+  };
+  uint32_t number = 0;
+  for (int turn = 0; turn < lighting.turns(); ++turn)
+    for (uint32_t i = 0; i < samples; ++i) {
+      // Of the candidates one is kept, by its contribution: each as likely as its part of their sum so far.
+      DirectLight light, candidate;
+      Rgb kept;
+      float sum = 0;
+      double v = 0;
+      if (candidates > 1) {
+        const Four u = numbers(number++);
+        v = join(u[0], u[1]);
+      }
+      for (uint32_t k = 0; k < candidates; ++k) {
+        const Four u = numbers(number++);
+        const double choice = (double(k * samples + i) + join(u[0], u[3])) / strata;
+        ++stats_.connections;
+        if (!lighting.sample(x, turn, choice, u[1], u[2], candidate)) continue;
+        const Rgb c = direct_contribution(z, candidate);
+        if (is_black(c)) continue;
+        sum += norm(c);
+        const double q = double(norm(c)) / double(sum);
+        if (!(v >= q)) {  // what is not finite is kept: it will be counted
+          v /= q;
+          kept = c;
+          light = candidate;
+        } else {
+          v = (v - q) / (1 - q);
+        }
+      }
+      if (!(sum > 0)) continue;
+      // Its probability was its part of the sum.
+      const Rgb c = strata == 1 ? kept : kept * (sum / (norm(kept) * float(strata)));
+      const Vec3 w = light.direction, from = off_surface(z, w);
+      if (light.y0.infinite)
+        push_connection({from, kInfinity, w}, c, sample, 1, z.count);
+      else
+        push_connection(between(from, off_surface(light.y0, -w)), c, sample, 1, z.count);
+    }
+}
+
+Rgb Block::direct_contribution(const Vertex& z, const DirectLight& light) {
   const Lights& lights = engine_.scene.lights();
-  const Four u = draw(true, sample, z.count, Purpose::Connect);
-  DirectLight light;
-  if (!lights.sample_direct(z.p, u.u, light)) return;
   const LightPoint& y0 = light.y0;
   const Vec3 w = light.direction;
   Scattering at_z;
-  if (!scatter(z, w, TransportMode::Radiance, at_z)) return;
+  if (!scatter(z, w, TransportMode::Radiance, at_z)) return Rgb();
   const float z_cosine = absdot(z.ng, w);
   const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
   const float geometry = y0.infinite ? z_cosine : z_cosine * y_cosine / (light.distance * light.distance);
-  Rgb c = z.throughput * at_z.f * light.radiance * (geometry / light.density);
-  if (is_black(c)) return;
+  const Rgb c = z.throughput * at_z.f * light.radiance * (geometry / light.density);
+  if (is_black(c) || engine_.unweighted) return c;
 
-  float weight = 1;
   const bool hittable = y0.has_area || y0.infinite;
-  if (!engine_.unweighted) {
-    const float position = lights.position_density(y0, engine_.options.uniform_light_start);
-    const float direction = lights.direction_density(y0, -w);
-    if (engine_.running_sums) {
-      // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
-      const PowerHeuristic& h = engine_.heuristic;
-      const float density = light.density * engine_.counts.direct;
-      const float s0 = hittable ? engine_.classes.s0 * at_z.next * geometry / density : 0;
-      const float others = direction * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums);
-      weight = h.weight(s0, others * (position / density));
-    } else {
-      Edge e;
-      e.light_at_z = direction * geometry;
-      e.light_before_z = at_z.previous * z.geometry;
-      const PathVertex start{position, at_z.next * geometry, false};
-      weight =
-          path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite, light_);
-    }
+  const float position = lights.position_density(y0, engine_.options.uniform_light_start);
+  const float direction = lights.direction_density(y0, -w);
+  if (engine_.running_sums) {
+    // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
+    const PowerHeuristic& h = engine_.heuristic;
+    const float density = light.density * engine_.counts.direct;
+    const float s0 = hittable ? engine_.classes.s0 * at_z.next * geometry / density : 0;
+    const float others = direction * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums);
+    return c * h.weight(s0, others * (position / density));
   }
-  c *= weight;
-  if (is_black(c)) return;
-  const Vec3 from = off_surface(z, w);
-  if (y0.infinite)
-    push_connection({from, kInfinity, w}, c, sample, 1, z.count);
-  else
-    push_connection(between(from, off_surface(y0, -w)), c, sample, 1, z.count);
+  Edge e;
+  e.light_at_z = direction * geometry;
+  e.light_before_z = at_z.previous * z.geometry;
+  const PathVertex start{position, at_z.next * geometry, false};
+  return c *
+         path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite, light_);
 }
 
 void Block::connect_to_sensor(const Vertex& y, uint32_t light) {

@@ -14,6 +14,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
       sensor(sensor_),
       film(film_),
       options(options_),
+      direct_lighting(scene_.lights(), options_.light_selection),
       bounds(film_.sample_bounds()),
       seed(seed_),
       plan(options_.plan ? *options_.plan : *kPlans[0]),
@@ -29,6 +30,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
   if (options.connections == 0) options.connections = plan.default_connections;
   counts = plan.counts(options, 1);
+  counts.direct = float(options.direct_samples);
   const bool structured = TechniqueClasses::from_mask(options.techniques, counts, classes);
   unweighted = options.heuristic == Heuristic::None;
   running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
@@ -51,6 +53,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
 
 void Engine::set_counts(double light_vertices) {
   counts = plan.counts(options, light_vertices);
+  counts.direct = float(options.direct_samples);
   TechniqueClasses::from_mask(options.techniques, counts, classes);
 }
 

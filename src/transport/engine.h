@@ -30,6 +30,7 @@ struct Engine {
   const Sensor& sensor;
   Film& film;
   TransportOptions options;
+  DirectLighting direct_lighting;
   SampleBounds bounds;
   uint64_t seed;
 

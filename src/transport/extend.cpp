@@ -45,18 +45,18 @@ void Block::extend() {
 // What the vertices just made can be joined to without knowing of any subpath of the other side. The shadow rays are
 // cast now, not when there are many: the order in which a sample's contributions are added must not depend on others.
 void Block::connect_ends() {
-  {
-    StageTimer timer(stats_.connect);
-    for (const Arrival& a : arrivals_) {
-      const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
-      if (v.specular) continue;
-      if (a.eye) {
-        if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
-      } else if (takes(v.count, 1, a.sample)) {
-        connect_to_sensor(v, a.sample);
-      }
+  const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
+  for (const Arrival& a : arrivals_) {
+    const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
+    if (v.specular) continue;
+    if (a.eye) {
+      if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
+    } else if (takes(v.count, 1, a.sample)) {
+      connect_to_sensor(v, a.sample);
     }
+    flush_if_full();  // one vertex of each subpath: its contributions keep their order
   }
+  stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
   shadow();
 }
 
@@ -109,9 +109,9 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.direct = w.direct;
   v.start_hittable = w.start_hittable;
   v.start_finite = w.start_finite;
-  if (!w.eye && w.count == 1) {
+  if (!w.eye && w.count == 1 && !v.specular) {
     const LightStart& y0 = light_.starts[w.sample];
-    v.direct = engine_.scene.lights().direct_density(y0.y0, v.p) / y0.density_position;
+    v.direct = engine_.direct_lighting.density(y0.y0, v.receiver()) / y0.density_position;
   }
   v.technique = technique(w, v);
   (w.eye ? eye_.last : light_.last)[w.sample] = index;
@@ -120,6 +120,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   if (w.eye && surface.light >= 0 && takes(0, v.count, w.sample)) {
     LightPoint x0;
     x0.light = surface.light;
+    x0.primitive = surface.primitive;
     x0.has_area = true;
     x0.p = v.p;
     x0.normal = v.ng;
@@ -154,7 +155,7 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
   const bool corner = z.count == 2;
   const float position = lights.position_density(x0, engine_.options.uniform_light_start);
   const float direction = lights.direction_density(x0, z.previous);
-  const float direct = corner ? position : lights.direct_density(x0, w.origin);
+  const float direct = corner ? position : w.specular ? 0 : engine_.direct_lighting.density(x0, {w.origin, w.normal});
   float weight = 1;
   if (engine_.running_sums) {
     // u_1 is that of s = 1 here, seen from the eye: P_A^d(x_0) takes the place of P_A(x_0).
@@ -233,6 +234,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
 
   Walker n;
   n.origin = v.p;
+  n.normal = v.receiver().normal;
   n.cosine = std::fabs(gn);
   n.direction = next;
   n.projected = b.density / std::fabs(gn);

@@ -22,6 +22,10 @@ uint64_t TransportOptions::hash() const {
     if (shadow_roulette == Roulette::Fixed) h = hash_bytes(&shadow_threshold, sizeof(shadow_threshold), h);
   }
   if (chain_pixels != 0 || chain_candidates != 0) h = hash_values(h, chain_pixels, chain_candidates);
+  if (light_selection != LightSelection::Power || direct_samples != 1 || direct_candidates != 1) {
+    constexpr uint64_t direct = 0x746365726964;  // unlike any numbers above
+    h = hash_values(h, direct, int(light_selection), direct_samples, direct_candidates);
+  }
   return h;
 }
 

@@ -1,6 +1,8 @@
 // What the engine may be asked to do otherwise.
 #pragma once
 
+#include "light/direct_lighting.h"
+
 #include <array>
 #include <cstdint>
 
@@ -42,6 +44,9 @@ struct TransportOptions {
   SamplerType sampler = SamplerType::Sobol;
   int strata = 4;
   bool uniform_light_start = false;
+  LightSelection light_selection = LightSelection::Power;  // of direct lighting alone
+  int direct_samples = 1;     // light vertices of direct lighting at each eye vertex; where lights take turns, of each
+  int direct_candidates = 1;  // of so many, each of them is chosen by its contribution
   int roulette_start = 4;
   Roulette shadow_roulette = Roulette::None;
   float shadow_threshold = 0;  // Fixed: delta, in units of a pixel's value

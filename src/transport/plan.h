@@ -24,9 +24,9 @@ struct Plan {
   int default_connections = 0;  // light vertices met by an eye vertex, where `connections` chooses them; else 0
   uint32_t block_size = 0;      // pixels; 0 = the plan's result does not depend on it
   uint64_t passes = 1;          // passes that a block takes at once, unless pool_passes says otherwise
-  bool shadow_roulette = true;  // whether shadow rays may play roulette
-  bool light_samples = true;    // whether an eye subpath may come with several light subpaths
-  uint32_t in_flight = 0;       // samples that a block has in hand at once; 0 = all of its own
+  bool chains = false;     // of paths: a path must be what its numbers say, so that there is one of everything, one
+                           // light subpath, one point on lights, and no roulette of shadow rays
+  uint32_t in_flight = 0;  // samples that a block has in hand at once; 0 = all of its own
 };
 
 // Ends with nullptr.

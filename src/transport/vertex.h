@@ -47,6 +47,7 @@ struct Vertex {
   bool start_finite;        // light side: y_0 is a point
 
   bool is_joinable() const { return !specular && !is_black(throughput); }
+  Receiver receiver() const { return {p, material->transmits() ? Vec3(0) : ns}; }
 };
 
 inline constexpr uint32_t kNoVertex = ~0u;

@@ -22,6 +22,10 @@ const std::map<std::string, bdpt_partners> kPartners = {{"sobol", BDPT_PARTNERS_
 const std::map<std::string, bdpt_shadow_roulette> kRoulettes = {{"none", BDPT_SHADOW_ROULETTE_NONE},
                                                                 {"fixed", BDPT_SHADOW_ROULETTE_FIXED},
                                                                 {"efficiency", BDPT_SHADOW_ROULETTE_EFFICIENCY}};
+const std::map<std::string, bdpt_light_selection> kLightSelections = {{"power", BDPT_LIGHT_SELECTION_POWER},
+                                                                      {"uniform", BDPT_LIGHT_SELECTION_UNIFORM},
+                                                                      {"tree", BDPT_LIGHT_SELECTION_TREE},
+                                                                      {"each", BDPT_LIGHT_SELECTION_EACH}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -94,6 +98,16 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--roulette-threshold", options.roulette_threshold,
                   "Contributions below it, in units of a pixel's value, are tested in proportion (--roulette fixed)")
+      ->check(positive());
+  add_choice(command, "--light-selection", options.light_selection, kLightSelections,
+             "How direct lighting chooses a light: power (default), uniform, tree (for many lights), or each in turn");
+  command
+      .add_option("--direct-samples", options.direct_samples,
+                  "Points on lights that direct lighting takes at each vertex (default 1)")
+      ->check(positive());
+  command
+      .add_option("--direct-candidates", options.direct_candidates,
+                  "Each of them chosen among so many by its contribution without shadows (default 1)")
       ->check(positive());
   command.add_option("--techniques", options.techniques, kTechniqueMaskHelp)
       ->excludes("--integrator")

@@ -162,8 +162,7 @@ const Plan kMmlt = {.name = "mmlt",
                     .run = run,
                     .block_size = kBlock,
                     .passes = 16,
-                    .shadow_roulette = false,
-                    .light_samples = false,
+                    .chains = true,
                     .in_flight = kBlock};
 
 }  // namespace bdpt
