@@ -1,0 +1,72 @@
+// Veach (1997), chapter 10.
+//
+// SPDX-License-Identifier: Apache-2.0
+#include "film_output.h"
+#include "rows/rows.h"
+#include "scenes/scenes.h"
+#include "tables.h"
+
+namespace bdpt_experiments {
+
+void veach_egg_room(Report& report) {
+  const Setting& setting = report.setting();
+  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(500, 256, 32), setting);
+  ContestOptions options;
+  options.max_edges = 5;
+  options.passes = setting.pick(25, 25, 1);
+  options.turns = setting.pick(16, 6, 2);
+  options.pyramid_edges = 0;
+  const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
+  const Contestant &bdpt = contestants[0], &path = contestants[1];
+  report.measured("The scene of figure 10.3 as Bitterli built it, paths of up to 5 edges, power heuristic.");
+  report.add(contest_table("The same time", contestants));
+  const Estimate ratio = efficiency_ratio(bdpt.end(), path.end());
+  report.verdict(
+      above(ratio, 2) ? Verdict::Agrees : Verdict::Differs,
+      "In the same time BDPT has 1/" + text(Estimate{ratio.value, 0}) + " of path tracing's relative variance.");
+  report.compare("Figure 10.3", label(bdpt), bdpt.picture, label(path), path.picture, stage.exposure);
+
+  Job job(stage, bidirectional(), options.max_edges, 1, options.max_edges);
+  job.advance(setting.pick<std::uint64_t>(200, 32, 1));
+  report.pyramid("Figure 10.4: the weighted techniques; row r is exposed by r stops", job.film(), false, true,
+                 stage.exposure);
+  report.compare("Figure 10.5: two techniques alone", "(2,2)", bdpt_tool::read_technique(job.film(), 2, 2, false),
+                 "(5,1), exposed alike", bdpt_tool::read_technique(job.film(), 5, 1, false), stage.exposure + 4);
+}
+
+void veach_shrinking_patch(Report& report) {
+  const Setting& setting = report.setting();
+  ContestOptions options;
+  options.max_edges = 5;
+  options.passes = setting.pick(16, 16, 1);
+  options.turns = setting.pick(16, 6, 2);
+  Table table{"The same time, while the patch shrinks",
+              {"radius of the patch", "BDPT: relative variance", "path tracing: relative variance",
+               "efficiency of BDPT / path tracing"},
+              {}};
+  Plot plot{"Relative variance in the same time", "radius of the patch, ceiling 4 wide", "relative variance", {}};
+  plot.series = {{"BDPT", {}, {}}, {"path tracing", {}, {}}};
+  std::vector<Estimate> ratios, own;
+  for (const float radius : {1.f, 0.5f, 0.25f, 0.125f, 0.0625f}) {
+    const Stage stage = build_stage(shrinking_patch(radius), setting.pick(400, 160, 24), setting);
+    const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
+    const Estimate bdpt = relative_variance(contestants[0].end()), path = relative_variance(contestants[1].end());
+    ratios.push_back(efficiency_ratio(contestants[0].end(), contestants[1].end()));
+    own.push_back(bdpt);
+    table.rows.push_back({double(radius), bdpt, path, ratios.back()});
+    plot.series[0].x.push_back(radius), plot.series[0].y.push_back(bdpt);
+    plot.series[1].x.push_back(radius), plot.series[1].y.push_back(path);
+    if (radius == 1.f || radius == 0.125f)
+      report.compare("Radius " + text(Estimate{radius, 0}), label(contestants[0]), contestants[0].picture,
+                     label(contestants[1]), contestants[1].picture, stage.exposure);
+  }
+  report.measured("A closed room whose only lamp, a spot of constant flux, lights a round patch of the ceiling.");
+  report.add(std::move(table));
+  report.add(std::move(plot));
+  const double growth = ratios.back().value / ratios.front().value, change = own.back().value / own.front().value;
+  report.verdict(growth > 4 && change < 2 ? Verdict::Agrees : Verdict::Differs,
+                 "From radius 1 to 1/16 the advantage of BDPT grows " + text(Estimate{growth, 0}) +
+                     " times, and its own relative variance changes by a factor of " + text(Estimate{change, 0}) + ".");
+}
+
+}  // namespace bdpt_experiments

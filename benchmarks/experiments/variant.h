@@ -1,0 +1,40 @@
+// What is compared: a plan, its techniques, and the options that differ.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "bdpt.h"
+
+namespace bdpt_experiments {
+
+// Russian roulette on shadow rays: Veach (1997), 10.4.
+enum class Roulette { None, Fixed, Efficiency };
+
+struct Variant {
+  std::string name;  // as the page calls it
+  std::string plan = "one-to-one";
+  std::string techniques = "all";  // in the syntax of bdpt render --techniques
+  bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
+  std::uint32_t connections = 0, light_samples = 0;
+  bdpt_order order = BDPT_ORDER_METRIC;
+  Roulette roulette = Roulette::None;
+};
+
+Variant bidirectional();
+Variant path_tracing();
+Variant light_tracing();
+Variant of_plan(const std::string& plan);
+
+// What this build of the library lacks for the variant; empty when it lacks nothing.
+std::string lacks(const Variant& variant);
+
+// Passes that the variant takes at once; their number must be a multiple of it.
+std::uint64_t passes_at_once(const Variant& variant);
+
+// The variant must lack nothing, and must outlive the description.
+bdpt_render_desc render_desc(const Variant& variant, std::uint32_t max_edges, std::uint64_t seed);
+
+}  // namespace bdpt_experiments
