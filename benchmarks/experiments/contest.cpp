@@ -57,6 +57,10 @@ double seconds(const Checkpoint& checkpoint, std::size_t without) {
   return sum / double(checkpoint.seconds.size() - (without < checkpoint.seconds.size() ? 1 : 0));
 }
 
+double relative_variance(const Checkpoint& c, std::size_t without) {
+  return bdpt_experiments::relative_variance(c.images, without, *c.reference);
+}
+
 }  // namespace
 
 std::vector<Contestant> hold(const Stage& stage, const std::vector<Variant>& variants, const ContestOptions& options) {
@@ -76,16 +80,20 @@ std::vector<Contestant> hold(const Stage& stage, const std::vector<Variant>& var
       passes = passes_for(time, stage, variant, options);
     }
     for (const std::uint64_t look : looks(passes, options.checkpoints, step))
-      contestant.checkpoints.push_back({look, {}, {}});
+      contestant.checkpoints.push_back({look, {}, {}, nullptr});
     contestants.push_back(std::move(contestant));
   }
   for (std::size_t turn = 0; turn < options.turns; ++turn)
     for (Contestant& contestant : contestants) take_turn(stage, contestant, turn, options);
+  const auto reference =
+      std::make_shared<const bdpt_benchmark::ImageVariance>(reference_of(contestants.front().end().images));
+  for (Contestant& contestant : contestants)
+    for (Checkpoint& checkpoint : contestant.checkpoints) checkpoint.reference = reference;
   return contestants;
 }
 
 Estimate relative_variance(const Checkpoint& c) {
-  return jackknife(c.images.size(), [&](std::size_t without) { return relative_variance(c.images, without); });
+  return jackknife(c.images.size(), [&](std::size_t without) { return relative_variance(c, without); });
 }
 
 Estimate mean(const Checkpoint& c) {
@@ -102,15 +110,13 @@ double seconds(const Checkpoint& checkpoint) { return seconds(checkpoint, checkp
 
 Estimate efficiency_ratio(const Checkpoint& a, const Checkpoint& b) {
   return jackknife(a.images.size(), [&](std::size_t without) {
-    return relative_variance(b.images, without) * seconds(b, without) /
-           (relative_variance(a.images, without) * seconds(a, without));
+    return relative_variance(b, without) * seconds(b, without) / (relative_variance(a, without) * seconds(a, without));
   });
 }
 
 Estimate sample_ratio(const Checkpoint& a, const Checkpoint& b) {
   return jackknife(a.images.size(), [&](std::size_t without) {
-    return relative_variance(b.images, without) * double(b.passes) /
-           (relative_variance(a.images, without) * double(a.passes));
+    return relative_variance(b, without) * double(b.passes) / (relative_variance(a, without) * double(a.passes));
   });
 }
 

@@ -26,6 +26,8 @@ struct Checkpoint {
   std::uint64_t passes = 0;
   std::vector<double> seconds;
   std::vector<std::vector<float>> images;  // grey
+  // Whose mean and M the relative variance takes: the first variant's, at the end of its renders.
+  std::shared_ptr<const bdpt_benchmark::ImageVariance> reference;
 };
 
 struct Contestant {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "variance.h"
-
 namespace bdpt_experiments {
 namespace {
 
@@ -29,18 +27,26 @@ Estimate jackknife(std::size_t n, const std::function<double(std::size_t)>& of) 
   return {value, value * std::sqrt(sum * double(n - 1) / double(n))};
 }
 
-double relative_variance(const std::vector<std::vector<float>>& images, std::size_t without) {
+double relative_variance(const std::vector<std::vector<float>>& images, std::size_t without,
+                         const bdpt_benchmark::ImageVariance& reference) {
   bdpt_benchmark::ImageVariance variance;
   for (std::size_t i = 0; i < images.size(); ++i)
     if (i != without) variance.add(images[i]);
-  return variance.relative();
+  return variance.relative_to(reference);
+}
+
+bdpt_benchmark::ImageVariance reference_of(const std::vector<std::vector<float>>& images) {
+  bdpt_benchmark::ImageVariance reference;
+  for (const auto& image : images) reference.add(image);
+  return reference;
 }
 
 std::string text(const Estimate& e) {
   if (!std::isfinite(e.value) || !std::isfinite(e.error)) return "–";
-  // Two digits of the error, three of a value without one.
-  const double scale = e.error > 0 ? e.error : std::abs(e.value) / 10;
-  const int decimals = scale > 0 ? std::clamp(1 - int(std::floor(std::log10(scale))), 0, 6) : 0;
+  if (e.value == 0 && e.error == 0) return "0";
+  const double finest = std::abs(e.value) / 500;  // no more than three digits of the value, or four
+  const double scale = e.error > 0 ? std::max(e.error / 1.5, finest) : std::abs(e.value) / 100;
+  const int decimals = std::clamp(-int(std::floor(std::log10(scale))), 0, 6);
   return fixed(e.value, decimals) + (e.error > 0 ? " ± " + fixed(e.error, decimals) : "");
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "variance.h"
+
 namespace bdpt_experiments {
 
 struct Estimate {
@@ -19,9 +21,13 @@ struct Estimate {
 Estimate jackknife(std::size_t n, const std::function<double(std::size_t without)>& of);
 
 // var / (mean² + 0.01 M²), averaged over the pixels (variance.h), of all images but one; one past the last: of all.
-double relative_variance(const std::vector<std::vector<float>>& images, std::size_t without);
+// Mean and M are those of the reference.
+double relative_variance(const std::vector<std::vector<float>>& images, std::size_t without,
+                         const bdpt_benchmark::ImageVariance& reference);
 
-// "12.3 ± 0.4": as many digits as the error lets stand.
+bdpt_benchmark::ImageVariance reference_of(const std::vector<std::vector<float>>& images);
+
+// "12.3 ± 0.4": one digit of the error, two where it begins with 1; without one, three digits of the value.
 std::string text(const Estimate& estimate);
 
 }  // namespace bdpt_experiments

@@ -13,7 +13,7 @@ import math
 import pathlib
 import sys
 
-VERDICTS = {'agrees': 'agrees', 'differs': 'does not agree', 'open': 'not measured', 'skipped': 'skipped',
+VERDICTS = {'agrees': 'agrees', 'partly': 'agrees in part', 'differs': 'does not agree', 'open': 'not measured', 'skipped': 'skipped',
             'none': 'not run', 'told': 'measured'}
 
 
@@ -123,7 +123,8 @@ def badge(verdict):
 
 def section_html(folder, row):
     parts = [f'<section id="{row["id"]}"><h2>{html.escape(row["title"])} <code>{row["id"]}</code></h2>']
-    parts.append(f'<p class="claim"><b>{html.escape(row["paper"])}</b>: {html.escape(row["claim"])}</p>')
+    claim = f'<b>{html.escape(row["paper"])}</b>' + (f': {html.escape(row["claim"])}' if row['claim'] else '')
+    parts.append(f'<p class="claim">{claim}</p>')
     parts.append(f'<p class="verdict">{badge(row["verdict"])} {html.escape(row["verdict_text"])}</p>')
     if row['measured']:
         parts.append(f'<p>{html.escape(row["measured"])}</p>')
@@ -151,7 +152,7 @@ section{border-top:1px solid var(--line);padding:1.5rem 0}
 .claim{border-left:3px solid var(--line);padding-left:.75rem;color:var(--soft);margin:.5rem 0}
 .note,.cost{color:var(--soft);font-size:.9rem}.cost{margin-bottom:0}
 .badge{display:inline-block;padding:0 .5em;border-radius:.3em;border:1px solid;font-size:.85rem;white-space:nowrap}
-.agrees,.told{color:var(--good)}.differs{color:var(--bad)}.open,.skipped,.none{color:var(--open)}
+.agrees,.told{color:var(--good)}.differs{color:var(--bad)}.partly,.open,.skipped,.none{color:var(--open)}
 .wide{overflow-x:auto;margin:1rem 0}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem}
 caption{text-align:left;font-weight:600;padding-bottom:.3rem}
 th,td{padding:.25rem .8rem .25rem 0;border-bottom:1px solid var(--line);text-align:right;vertical-align:top}
@@ -160,14 +161,14 @@ th:first-child,td:first-child{text-align:left}th{font-weight:600;color:var(--sof
 .plots,.pictures{display:flex;flex-wrap:wrap;gap:1rem;align-items:flex-start}
 figure{margin:0;background:var(--card);padding:.6rem;border-radius:.4rem;max-width:100%}
 figcaption{font-size:.9rem;margin-bottom:.4rem}figure img{display:block;max-width:100%;height:auto}
-.plot{width:min(100%,540px)}.pyramid,.picture.big{width:100%}.pyramid img{margin:auto}
+.pyramid,.picture.big{width:100%}.pyramid img{margin:auto}
 svg{width:100%;height:auto;display:block}svg text{fill:var(--soft);font:12px system-ui,sans-serif}
 .grid{stroke:var(--line);fill:none}.line,.error{fill:none;stroke:var(--c);stroke-width:1.8}.error{stroke-width:1.2}
 circle{fill:var(--c)}.legend span{font-size:.85rem;margin-right:1em;white-space:nowrap}
 .legend i{display:inline-block;width:1em;height:.25em;margin-right:.4em;vertical-align:middle;background:var(--c)}
 .s0{--c:var(--s0)}.s1{--c:var(--s1)}.s2{--c:var(--s2)}.s3{--c:var(--s3)}.s4{--c:var(--s4)}.s5{--c:var(--s5)}
 .s6{--c:var(--s6)}.s7{--c:var(--s7)}
-.compare{width:min(100%,532px)}.pair{position:relative;--at:50%}.pair img{width:100%}
+.compare,.plot{width:min(100%,526px)}.pair{position:relative;--at:50%}.pair img{width:100%}
 .pair .over{position:absolute;inset:0;clip-path:inset(0 calc(100% - var(--at)) 0 0)}
 .pair::after{content:"";position:absolute;top:0;bottom:0;left:var(--at);width:2px;margin-left:-1px;background:#fff;
 box-shadow:0 0 3px #000}

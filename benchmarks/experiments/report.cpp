@@ -16,7 +16,7 @@ using bdpt_tool::JsonWriter;
 constexpr std::uint32_t kSheetWidth = 900;  // of pyramids, pixels
 
 const char* name(Verdict verdict) {
-  const char* const names[] = {"open", "agrees", "differs", "skipped"};
+  const char* const names[] = {"open", "agrees", "partly", "differs", "skipped", "told"};
   return names[static_cast<int>(verdict)];
 }
 

@@ -18,7 +18,7 @@ namespace bdpt_experiments {
 
 struct Experiment;
 
-enum class Verdict { Open, Agrees, Differs, Skipped };
+enum class Verdict { Open, Agrees, Partly, Differs, Skipped, Told };  // told: there is no claim to agree with
 
 using Cell = std::variant<std::string, double, Estimate>;
 

@@ -22,13 +22,17 @@ bdpt_tool::Diagnostics& silence() {
 }  // namespace
 
 bdpt_tool::SceneDescription bitterli_scene(const Setting& setting, const std::string& name, bool grey) {
-  const auto path = std::filesystem::path(setting.scenes) / name / (grey ? "scene-v4-grey.pbrt" : "scene-v4.pbrt");
+  const auto folder = std::filesystem::path(setting.scenes) / name;
+  auto path = folder / (grey ? "scene-v4-grey.pbrt" : "scene-v4-present-textures.pbrt");
+  if (!grey && !std::filesystem::exists(path)) path = folder / "scene-v4.pbrt";
   if (!std::filesystem::exists(path)) throw SceneMissing(path.string() + " is not there");
   return bdpt_tool::read_scene(path.string(), silence());
 }
 
-Stage build_stage(bdpt_tool::SceneDescription description, std::uint32_t width, const Setting& setting) {
+Stage build_stage(bdpt_tool::SceneDescription description, std::uint32_t width, const Setting& setting,
+                  float exposure) {
   Stage stage;
+  stage.exposure = exposure;
   const double shape = double(description.film.height) / description.film.width;
   stage.width = width;
   stage.height = static_cast<std::uint32_t>(std::lround(width * shape));

@@ -31,6 +31,7 @@ struct SceneMissing : std::runtime_error {
 bdpt_tool::SceneDescription bitterli_scene(const Setting& setting, const std::string& name, bool grey = false);
 
 // The picture has `width` columns and as many rows as the scene's own shape wants.
-Stage build_stage(bdpt_tool::SceneDescription description, std::uint32_t width, const Setting& setting);
+Stage build_stage(bdpt_tool::SceneDescription description, std::uint32_t width, const Setting& setting,
+                  float exposure = 0);
 
 }  // namespace bdpt_experiments

@@ -13,6 +13,18 @@ namespace {
 // Where the library takes shadow rays' roulette, this is the one place to say so.
 bool set_roulette(bdpt_render_desc&, Roulette roulette) { return roulette == Roulette::None; }
 
+// Several samples of direct lighting, where the library's description has them.
+template <class Desc>
+bool set_direct_samples(Desc& desc, std::uint32_t samples) {
+  if (samples == 0) return true;
+  if constexpr (requires { desc.direct_samples, desc.light_selection; }) {
+    desc.direct_samples = samples;
+    desc.light_selection = 3;  // each light
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Variant bidirectional() { return {.name = "BDPT"}; }
@@ -23,7 +35,9 @@ Variant of_plan(const std::string& plan) { return {.name = plan, .plan = plan}; 
 std::string lacks(const Variant& variant) {
   if (!bdpt::find_plan(variant.plan.c_str())) return "the plan " + variant.plan;
   auto desc = bdpt_tool::sized<bdpt_render_desc>();
-  return set_roulette(desc, variant.roulette) ? "" : "Russian roulette on shadow rays";
+  if (!set_roulette(desc, variant.roulette)) return "Russian roulette on shadow rays";
+  if (!set_direct_samples(desc, variant.direct_samples)) return "several samples of each light at a vertex";
+  return "";
 }
 
 std::uint64_t passes_at_once(const Variant& variant) { return bdpt::find_plan(variant.plan.c_str())->passes; }
@@ -40,6 +54,7 @@ bdpt_render_desc render_desc(const Variant& variant, std::uint32_t max_edges, st
   desc.light_samples = variant.light_samples;
   desc.order = variant.order;
   set_roulette(desc, variant.roulette);
+  set_direct_samples(desc, variant.direct_samples);
   return desc;
 }
 

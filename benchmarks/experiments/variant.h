@@ -21,6 +21,7 @@ struct Variant {
   std::uint32_t connections = 0, light_samples = 0;
   bdpt_order order = BDPT_ORDER_METRIC;
   Roulette roulette = Roulette::None;
+  std::uint32_t direct_samples = 0;  // points on each light at each eye vertex; 0 = one point on one light
 };
 
 Variant bidirectional();

@@ -10,12 +10,11 @@ namespace bdpt_experiments {
 
 void veach_egg_room(Report& report) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(500, 256, 32), setting);
+  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(500, 192, 32), setting);
   ContestOptions options;
   options.max_edges = 5;
   options.passes = setting.pick(25, 25, 1);
-  options.turns = setting.pick(16, 6, 2);
-  options.pyramid_edges = 0;
+  options.turns = setting.pick(16, 5, 2);
   const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
   const Contestant &bdpt = contestants[0], &path = contestants[1];
   report.measured("The scene of figure 10.3 as Bitterli built it, paths of up to 5 edges, power heuristic.");
@@ -27,7 +26,7 @@ void veach_egg_room(Report& report) {
   report.compare("Figure 10.3", label(bdpt), bdpt.picture, label(path), path.picture, stage.exposure);
 
   Job job(stage, bidirectional(), options.max_edges, 1, options.max_edges);
-  job.advance(setting.pick<std::uint64_t>(200, 32, 1));
+  job.advance(setting.pick<std::uint64_t>(200, 24, 1));
   report.pyramid("Figure 10.4: the weighted techniques; row r is exposed by r stops", job.film(), false, true,
                  stage.exposure);
   report.compare("Figure 10.5: two techniques alone", "(2,2)", bdpt_tool::read_technique(job.film(), 2, 2, false),
@@ -39,7 +38,7 @@ void veach_shrinking_patch(Report& report) {
   ContestOptions options;
   options.max_edges = 5;
   options.passes = setting.pick(16, 16, 1);
-  options.turns = setting.pick(16, 6, 2);
+  options.turns = setting.pick(16, 5, 2);
   Table table{"The same time, while the patch shrinks",
               {"radius of the patch", "BDPT: relative variance", "path tracing: relative variance",
                "efficiency of BDPT / path tracing"},
@@ -48,7 +47,7 @@ void veach_shrinking_patch(Report& report) {
   plot.series = {{"BDPT", {}, {}}, {"path tracing", {}, {}}};
   std::vector<Estimate> ratios, own;
   for (const float radius : {1.f, 0.5f, 0.25f, 0.125f, 0.0625f}) {
-    const Stage stage = build_stage(shrinking_patch(radius), setting.pick(400, 160, 24), setting);
+    const Stage stage = build_stage(shrinking_patch(radius), setting.pick(400, 120, 24), setting, 1);
     const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
     const Estimate bdpt = relative_variance(contestants[0].end()), path = relative_variance(contestants[1].end());
     ratios.push_back(efficiency_ratio(contestants[0].end(), contestants[1].end()));
@@ -67,6 +66,43 @@ void veach_shrinking_patch(Report& report) {
   report.verdict(growth > 4 && change < 2 ? Verdict::Agrees : Verdict::Differs,
                  "From radius 1 to 1/16 the advantage of BDPT grows " + text(Estimate{growth, 0}) +
                      " times, and its own relative variance changes by a factor of " + text(Estimate{change, 0}) + ".");
+}
+
+void veach_roulette(Report& report) {
+  const Setting& setting = report.setting();
+  Variant none = bidirectional(), fixed = bidirectional(), efficiency = bidirectional();
+  none.name = "no roulette";
+  fixed.name = "fixed threshold", fixed.roulette = Roulette::Fixed;
+  efficiency.name = "efficiency-optimised", efficiency.roulette = Roulette::Efficiency;
+  const std::vector<Variant> variants = {efficiency, fixed, none};
+  if (!lacks(efficiency).empty()) {
+    report.note_missing(variants);
+    report.verdict(Verdict::Open, "Not measured: this build of the library lacks " + lacks(efficiency) + ".");
+    return;
+  }
+  std::vector<Estimate> over_none;
+  for (const char* name : {"veach-bidir", "veach-ajar"}) {
+    const Stage stage = build_stage(bitterli_scene(setting, name), setting.pick(400, 128, 24), setting, 1);
+    ContestOptions options;
+    options.max_edges = 6;
+    options.passes = setting.pick(32, 16, 2);
+    options.turns = setting.pick(16, 5, 2);
+    const auto contestants = hold(stage, variants, options);
+    Table rays{std::string(name) + ": rays for a sample", {"", "shadow rays", "all rays"}, {}};
+    for (const Contestant& c : contestants) {
+      const double samples = double(c.stats.samples), shadow = double(c.stats.shadow_rays);
+      rays.rows.push_back({c.variant.name, shadow / samples,
+                           (shadow + double(c.stats.eye_rays) + double(c.stats.light_rays)) / samples});
+    }
+    report.add(contest_table(std::string(name) + ", the same time", contestants));
+    report.add(std::move(rays));
+    over_none.push_back(efficiency_ratio(contestants.front().end(), contestants.back().end()));
+  }
+  report.measured("Paths of up to 6 edges.");
+  const bool both = above(over_none[0], 1) && above(over_none[1], 1);
+  report.verdict(both ? Verdict::Agrees : Verdict::Differs,
+                 "Over no roulette the efficiency-optimised one has " + text(over_none[0]) +
+                     " times the efficiency in the egg room and " + text(over_none[1]) + " times at the door ajar.");
 }
 
 }  // namespace bdpt_experiments

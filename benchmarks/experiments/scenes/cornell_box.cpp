@@ -4,7 +4,7 @@
 namespace bdpt_experiments {
 namespace {
 
-constexpr float kLampHeight = 1.8f, kLampHalf = 0.25f;
+constexpr float kLampHeight = 1.9f, kLampHalf = 0.25f;
 
 void add_lamp(SceneMaker& make, BoxLight light) {
   constexpr float y = kLampHeight, h = kLampHalf;
