@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tables.h"
 
+#include <cmath>
+
 namespace bdpt_experiments {
 
 Table contest_table(const std::string& title, const std::vector<Contestant>& contestants) {
@@ -35,7 +37,12 @@ std::string label(const Contestant& c) {
   return c.variant.name + ", " + std::to_string(c.end().passes) + " samples a pixel";
 }
 
-bool above(const Estimate& ratio, double limit) { return ratio.value - 2 * ratio.error > limit; }
-bool below(const Estimate& ratio, double limit) { return ratio.value + 2 * ratio.error < limit; }
+// Ratios err by factors.
+bool above(const Estimate& ratio, double limit) {
+  return ratio.value * std::exp(-2 * ratio.error / ratio.value) > limit;
+}
+bool below(const Estimate& ratio, double limit) {
+  return ratio.value * std::exp(2 * ratio.error / ratio.value) < limit;
+}
 
 }  // namespace bdpt_experiments

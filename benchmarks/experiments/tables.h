@@ -23,7 +23,7 @@ const Contestant* find(const std::vector<Contestant>& contestants, const std::st
 // "BDPT, 24 samples a pixel".
 std::string label(const Contestant& contestant);
 
-// Whether the ratio is above or below a limit by more than two standard errors.
+// Whether the ratio is above or below a limit by more than two standard errors of its logarithm.
 bool above(const Estimate& ratio, double limit);
 bool below(const Estimate& ratio, double limit);
 

@@ -7,6 +7,7 @@
 
 #include "api/handles.h"
 #include "rows/rows.h"
+#include "sampling/hash.h"
 #include "scenes/scenes.h"
 #include "tables.h"
 #include "transport/plan.h"
@@ -55,15 +56,16 @@ void trace(const Stage& stage, Subpaths& subpaths) {
   render.advance(advance);
 }
 
-// The first n vertices by the numbers of their subpaths, in the order of `all`.
-std::vector<std::uint32_t> first(const std::vector<bdpt::OrderedVertex>& all, std::size_t n) {
-  std::vector<std::uint32_t> samples;
-  for (const bdpt::OrderedVertex& v : all) samples.push_back(v.sample);
-  std::sort(samples.begin(), samples.end());
-  const std::uint32_t end = n < samples.size() ? samples[n] : ~0u;
+// n vertices of all, chosen by chance, the same whatever the order. `shuffle`: in the order of chance, too, for samples
+// are numbered along the picture's rows.
+std::vector<std::uint32_t> choose(const std::vector<bdpt::OrderedVertex>& all, std::size_t n, bool shuffle) {
+  const auto chance = [](const bdpt::OrderedVertex& v) { return bdpt::mix64(v.sample); };
+  std::vector<bdpt::OrderedVertex> chosen = all;
+  std::sort(chosen.begin(), chosen.end(), [&](const auto& a, const auto& b) { return chance(a) < chance(b); });
+  const std::uint64_t end = n < chosen.size() ? chance(chosen[n]) : ~0ull;
   std::vector<std::uint32_t> vertices;
-  for (const bdpt::OrderedVertex& v : all)
-    if (v.sample < end) vertices.push_back(v.vertex);
+  for (const bdpt::OrderedVertex& v : shuffle ? chosen : all)
+    if (chance(v) < end) vertices.push_back(v.vertex);
   return vertices;
 }
 
@@ -93,12 +95,12 @@ Matrix connect(const Subpaths& subpaths, const std::vector<std::uint32_t>& rows,
   return matrix;
 }
 
-// The four decades below the largest but one in a thousand become [0, 1].
+// The five decades below the largest but one in a hundred become [0, 1].
 void normalise(Matrix& matrix) {
   Matrix sorted = matrix;
-  const auto top = sorted.begin() + std::ptrdiff_t(sorted.size() * 999 / 1000);
+  const auto top = sorted.begin() + std::ptrdiff_t(sorted.size() * 99 / 100);
   std::nth_element(sorted.begin(), top, sorted.end());
-  for (float& x : matrix) x = std::clamp(1 + (x - *top) / 4, 0.f, 1.f);
+  for (float& x : matrix) x = std::clamp(1 + (x - *top) / 5, 0.f, 1.f);
 }
 
 // Of each entry with the one below it: how alike neighbouring rows are.
@@ -137,38 +139,41 @@ void matrix_picture(Report& report) {
               {"order", "neighbouring rows (eye)", "neighbouring columns (light)"},
               {}};
   std::vector<bdpt_tool::Image> pictures;
-  std::vector<double> alike;
+  std::vector<std::pair<double, double>> alike;  // of rows and of columns, for each order
   std::string shape;
   const std::pair<bdpt::Order, const char*> orders[] = {
       {bdpt::Order::None, "as sampled"}, {bdpt::Order::Metric, "metric"}, {bdpt::Order::Hilbert, "Hilbert"}};
   for (const auto& [order, name] : orders) {
+    const bool shuffle = order == bdpt::Order::None;
     bdpt::OrderedVertices eye, light;
     order_subpaths(subpaths.eye, stage.scene->scene->info(), order, eye);
     order_subpaths(subpaths.light, stage.scene->scene->info(), order, light);
-    const auto rows = first(eye[kEyeVertices], size), columns = first(light[kLightVertices], size);
+    const auto rows = choose(eye[kEyeVertices], size, shuffle), columns = choose(light[kLightVertices], size, shuffle);
     Matrix matrix = connect(subpaths, rows, columns);
     normalise(matrix);
     const double along_eye = neighbour_correlation(matrix, columns.size(), columns.size());
     const double along_light = neighbour_correlation(matrix, columns.size(), 1);
     table.rows.push_back({std::string(name), along_eye, along_light});
-    alike.push_back(along_eye + along_light);
+    alike.push_back({along_eye, along_light});
     pictures.push_back(picture_of(matrix, rows.size(), columns.size()));
     shape =
         std::to_string(rows.size()) + " eye subpaths (rows) and " + std::to_string(columns.size()) + " light subpaths";
   }
   report.measured("Bitterli's door ajar; " + shape +
                   " of the paper's (1,3), 2 eye and 4 light vertices. An entry is the " +
-                  "unweighted contribution without its visibility, four decades from black to white.");
+                  "unweighted contribution without its visibility, five decades from black to white.");
   report.add(std::move(table));
   report.compare("As sampled, and by the metric", "as sampled", pictures[0], "metric", pictures[1], 0);
   report.compare("By the metric, and along a Hilbert curve", "metric", pictures[1], "Hilbert curve", pictures[2], 0);
-  const bool metric = alike[1] > alike[0] + 0.2, hilbert = alike[2] > alike[0] + 0.2;
-  report.verdict(metric && hilbert   ? Verdict::Agrees
-                 : metric || hilbert ? Verdict::Partly
-                                     : Verdict::Differs,
-                 "Neighbours correlate by " + text(Estimate{alike[0] / 2, 0}) + " as sampled, " +
-                     text(Estimate{alike[1] / 2, 0}) + " by the metric and " + text(Estimate{alike[2] / 2, 0}) +
-                     " along the Hilbert curve (means over rows and columns).");
+  const bool eye = alike[1].first > alike[0].first + 0.2, light = alike[1].second > alike[0].second + 0.2;
+  const auto both = [&](std::size_t i) {
+    return text(Estimate{alike[i].first, 0}) + " and " + text(Estimate{alike[i].second, 0});
+  };
+  report.verdict(eye && light   ? Verdict::Agrees
+                 : eye || light ? Verdict::Partly
+                                : Verdict::Differs,
+                 "Neighbouring rows and columns correlate by " + both(0) + " as sampled, " + both(1) +
+                     " by the metric, " + both(2) + " along the Hilbert curve.");
 }
 
 }  // namespace bdpt_experiments

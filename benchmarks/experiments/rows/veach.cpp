@@ -20,9 +20,8 @@ void veach_egg_room(Report& report) {
   report.measured("The scene of figure 10.3 as Bitterli built it, paths of up to 5 edges, power heuristic.");
   report.add(contest_table("The same time", contestants));
   const Estimate ratio = efficiency_ratio(bdpt.end(), path.end());
-  report.verdict(
-      above(ratio, 2) ? Verdict::Agrees : Verdict::Differs,
-      "In the same time BDPT has 1/" + text(Estimate{ratio.value, 0}) + " of path tracing's relative variance.");
+  report.verdict(above(ratio, 2) ? Verdict::Agrees : Verdict::Differs,
+                 "In the same time BDPT has " + text(ratio) + " times the efficiency of path tracing.");
   report.compare("Figure 10.3", label(bdpt), bdpt.picture, label(path), path.picture, stage.exposure);
 
   Job job(stage, bidirectional(), options.max_edges, 1, options.max_edges);
