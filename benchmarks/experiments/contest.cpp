@@ -106,6 +106,12 @@ Estimate mean(const Checkpoint& c) {
   return {average, std::sqrt(std::max(squares / n - average * average, 0.0) / (n - 1))};
 }
 
+Estimate mean_ratio(const Checkpoint& a, const Checkpoint& b) {
+  if (&a == &b) return {1, 0};
+  const Estimate x = mean(a), y = mean(b);
+  return {x.value / y.value, x.value / y.value * std::hypot(x.error / x.value, y.error / y.value)};
+}
+
 double seconds(const Checkpoint& checkpoint) { return seconds(checkpoint, checkpoint.seconds.size()); }
 
 Estimate efficiency_ratio(const Checkpoint& a, const Checkpoint& b) {

@@ -44,8 +44,9 @@ struct Contestant {
 std::vector<Contestant> hold(const Stage& stage, const std::vector<Variant>& variants, const ContestOptions& options);
 
 Estimate relative_variance(const Checkpoint& checkpoint);
-// Of whole images.
+// Of whole images; all variants measure the same, unless they lack techniques for some of the light.
 Estimate mean(const Checkpoint& checkpoint);
+Estimate mean_ratio(const Checkpoint& a, const Checkpoint& b);
 double seconds(const Checkpoint& checkpoint);
 
 // 1 / (relative variance x seconds) of a over that of b.

@@ -7,9 +7,13 @@ namespace bdpt_experiments {
 
 Table contest_table(const std::string& title, const std::vector<Contestant>& contestants) {
   const Contestant& last = contestants.back();
-  Table table{title, {"", "samples a pixel", "seconds", "relative variance", "efficiency / " + last.variant.name}, {}};
+  Table table{title,
+              {"", "samples a pixel", "seconds", "mean / " + contestants.front().variant.name, "relative variance",
+               "efficiency / " + last.variant.name},
+              {}};
   for (const Contestant& c : contestants)
-    table.rows.push_back({c.variant.name, double(c.end().passes), seconds(c.end()), relative_variance(c.end()),
+    table.rows.push_back({c.variant.name, double(c.end().passes), seconds(c.end()),
+                          mean_ratio(c.end(), contestants.front().end()), relative_variance(c.end()),
                           &c == &last ? Cell("1") : Cell(efficiency_ratio(c.end(), last.end()))});
   return table;
 }

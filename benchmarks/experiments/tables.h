@@ -11,7 +11,8 @@
 
 namespace bdpt_experiments {
 
-// A line for each contestant: samples per pixel, seconds, relative variance, and its efficiency over the last one's.
+// A line for each contestant: samples per pixel, seconds, its mean over the first one's, relative variance, and its
+// efficiency over the last one's.
 Table contest_table(const std::string& title, const std::vector<Contestant>& contestants);
 
 // Relative variance over seconds, a series for each contestant.

@@ -32,6 +32,11 @@ Variant path_tracing() { return {.name = "path tracing", .techniques = "s<=1&t>=
 Variant light_tracing() { return {.name = "light tracing", .techniques = "t<=1"}; }
 Variant of_plan(const std::string& plan) { return {.name = plan, .plan = plan}; }
 
+Variant independent(Variant variant) {
+  variant.sampler = BDPT_SAMPLER_INDEPENDENT;
+  return variant;
+}
+
 std::string lacks(const Variant& variant) {
   if (!bdpt::find_plan(variant.plan.c_str())) return "the plan " + variant.plan;
   auto desc = bdpt_tool::sized<bdpt_render_desc>();
@@ -53,6 +58,7 @@ bdpt_render_desc render_desc(const Variant& variant, std::uint32_t max_edges, st
   desc.connections = variant.connections;
   desc.light_samples = variant.light_samples;
   desc.order = variant.order;
+  desc.sampler = variant.sampler;
   set_roulette(desc, variant.roulette);
   set_direct_samples(desc, variant.direct_samples);
   return desc;

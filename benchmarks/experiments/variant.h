@@ -20,6 +20,7 @@ struct Variant {
   bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
   std::uint32_t connections = 0, light_samples = 0;
   bdpt_order order = BDPT_ORDER_METRIC;
+  bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
   Roulette roulette = Roulette::None;
   std::uint32_t direct_samples = 0;  // points on each light at each eye vertex; 0 = one point on one light
 };
@@ -28,6 +29,8 @@ Variant bidirectional();
 Variant path_tracing();
 Variant light_tracing();
 Variant of_plan(const std::string& plan);
+// The same with independent random points, as most papers have them, instead of Sobol's.
+Variant independent(Variant variant);
 
 // What this build of the library lacks for the variant; empty when it lacks nothing.
 std::string lacks(const Variant& variant);

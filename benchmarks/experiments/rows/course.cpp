@@ -22,7 +22,7 @@ void course_two_spheres(Report& report) {
   for (const BoxLight light : {BoxLight::Down, BoxLight::Occluded}) {
     const bool open = light == BoxLight::Down;
     const auto contents = open ? BoxContents::MirrorAndGlass : BoxContents::TwoDiffuse;
-    const Stage stage = build_stage(cornell_box(contents, light), setting.pick(400, 150, 24), setting, open ? 0.5f : 2);
+    const Stage stage = build_stage(cornell_box(contents, light), setting.pick(400, 110, 24), setting, open ? 0.5f : 2);
     const auto contestants = hold(stage, variants, options);
     const Contestant &bdpt = contestants.front(), &path = contestants.back();
     const std::string title = open ? "Mirror and glass" : "Two diffuse spheres, the lamp occluded";

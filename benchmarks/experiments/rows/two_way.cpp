@@ -13,11 +13,11 @@ namespace {
 // Half as many two-way samples as samples of eye and of light paths: as many paths.
 void compare_ways(Report& report, SceneDescription scene, float exposure) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(std::move(scene), setting.pick(480, 200, 24), setting, exposure);
+  const Stage stage = build_stage(std::move(scene), setting.pick(480, 160, 24), setting, exposure);
   ContestOptions options;
   options.max_edges = 6;
   options.passes = setting.pick(64, 24, 2);
-  options.turns = setting.pick(16, 5, 2);
+  options.turns = setting.pick(16, 4, 2);
   const auto contestants = hold(stage, {of_plan("two-way"), bidirectional(), light_tracing(), path_tracing()}, options);
   const Contestant &two_way = contestants[0], &bdpt = contestants[1], &light = contestants[2], &path = contestants[3];
   report.add(contest_table("The same time", contestants));
@@ -82,7 +82,7 @@ void two_way_lightmap(Report& report) {
   ContestOptions options;
   options.max_edges = kEdges;
   options.passes = setting.pick(64, 16, 2);
-  options.turns = setting.pick(16, 5, 2);
+  options.turns = setting.pick(16, 4, 2);
   const auto contestants = hold(stage, {two_way, path_tracing()}, options);
   report.measured("The floor itself is the sensor: a texel measures the light it receives, and light subpaths hit it.");
   report.add(std::move(table));

@@ -14,7 +14,7 @@ SceneDescription brown_spheres() {
     for (int i = 0; i < 4; ++i)
       make.sphere({-2.4f + 1.6f * float(i) + 0.5f * float(j), 0.6f, -0.8f + 1.7f * float(j)}, 0.6f, row[j][i]);
   make.sphere({-0.4f, 4, -0.6f}, 0.12f, make.emitter({900, 850, 750}));
-  make.camera({0, 4.2f, 8.5f}, {0.1f, 0.4f, 0}, 30);
+  make.camera({0, 4.2f, 8.5f}, {0.1f, 0.4f, 0}, 37);
   make.image(4, 3);
   return std::move(make).finish("spheres on a floor");
 }
@@ -29,7 +29,7 @@ SceneDescription brown_meshes() {
   make.mesh(knot({2.2f, 0.72f, 0.3f}, 1.1f, 0.27f), make.glass());
   const int lamp = make.emitter({700, 650, 550});
   make.quad({0.85f, 4, -0.15f}, {1.15f, 4, -0.15f}, {1.15f, 4, 0.15f}, {0.85f, 4, 0.15f}, lamp);
-  make.camera({0, 4.0f, 8.0f}, {0.1f, 0.4f, 0}, 30);
+  make.camera({0, 4.0f, 8.0f}, {0.1f, 0.4f, 0}, 37);
   make.image(4, 3);
   return std::move(make).finish("meshes on a floor");
 }
