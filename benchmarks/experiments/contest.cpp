@@ -8,6 +8,9 @@
 namespace bdpt_experiments {
 namespace {
 
+// Turns have seeds from 1 on.
+constexpr std::uint64_t kTrialSeed = 0, kReferenceSeed = 1000'000;
+
 std::uint64_t rounded(std::uint64_t passes, std::uint64_t step) {
   return std::max(passes / step, std::uint64_t{1}) * step;
 }
@@ -15,7 +18,7 @@ std::uint64_t rounded(std::uint64_t passes, std::uint64_t step) {
 // How many passes take `seconds`, by the time of those that do: a render that is thrown away.
 std::uint64_t passes_for(double seconds, const Stage& stage, const Variant& variant, const ContestOptions& options) {
   const std::uint64_t step = passes_at_once(variant);
-  Job job(stage, variant, options.max_edges, 0, options.pyramid_edges);
+  Job job(stage, variant, options.max_edges, kTrialSeed, options.pyramid_edges);
   job.advance(step);  // warms up
   std::uint64_t passes = 0;
   double spent = 0;
@@ -73,7 +76,7 @@ std::vector<Contestant> hold(const Stage& stage, const std::vector<Variant>& var
     const std::uint64_t step = passes_at_once(variant);
     std::uint64_t passes = rounded(options.passes, step);
     if (options.equal_time && contestants.empty()) {
-      Job job(stage, variant, options.max_edges, 0, options.pyramid_edges);
+      Job job(stage, variant, options.max_edges, kTrialSeed, options.pyramid_edges);
       job.advance(step);
       time = job.advance(passes);
     } else if (options.equal_time) {
@@ -85,8 +88,11 @@ std::vector<Contestant> hold(const Stage& stage, const std::vector<Variant>& var
   }
   for (std::size_t turn = 0; turn < options.turns; ++turn)
     for (Contestant& contestant : contestants) take_turn(stage, contestant, turn, options);
-  const auto reference =
-      std::make_shared<const bdpt_benchmark::ImageVariance>(reference_of(contestants.front().end().images));
+  Variant variant = contestants.front().variant;
+  variant.sampler = BDPT_SAMPLER_SOBOL;
+  Job job(stage, variant, options.max_edges, kReferenceSeed);
+  job.advance(contestants.front().end().passes * options.turns);
+  const auto reference = std::make_shared<const bdpt_benchmark::ImageVariance>(reference_of({grey(job.color())}));
   for (Contestant& contestant : contestants)
     for (Checkpoint& checkpoint : contestant.checkpoints) checkpoint.reference = reference;
   return contestants;

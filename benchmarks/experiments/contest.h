@@ -26,7 +26,7 @@ struct Checkpoint {
   std::uint64_t passes = 0;
   std::vector<double> seconds;
   std::vector<std::vector<float>> images;  // grey
-  // Whose mean and M the relative variance takes: the first variant's, at the end of its renders.
+  // Whose mean and M the relative variance takes.
   std::shared_ptr<const bdpt_benchmark::ImageVariance> reference;
 };
 
@@ -40,7 +40,9 @@ struct Contestant {
   const Checkpoint& end() const { return checkpoints.back(); }
 };
 
-// Variants that the library lacks are left out. The first must be there.
+// Variants that the library lacks are left out. The first must be there, and measure all the light: a render of its own
+// with another seed and as many samples as all turns together is the reference. No variant's own noise may enter it: a
+// pixel with a rare bright sample would weigh less for that variant than for the others.
 std::vector<Contestant> hold(const Stage& stage, const std::vector<Variant>& variants, const ContestOptions& options);
 
 Estimate relative_variance(const Checkpoint& checkpoint);

@@ -95,11 +95,13 @@ void matrix_techniques(Report& report) {
     }
   Table table{
       "Relative variance for the same samples, BDPT / matrix", {"k", "s = 1", "s = 2", "s = 3", "s = 4", "s = 5"}, {}};
+  Job whole(stage, bidirectional(), edges, turns + 1, edges);
+  whole.advance(passes * turns);
   std::size_t inside = 0, wins = 0, ends = 0, ties = 0;
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     const auto [s, t] = techniques[i];
     if (s == 1) table.rows.push_back({double(s + t - 1)});
-    const auto reference = reference_of(images[0][i]);
+    const auto reference = reference_of({grey(bdpt_tool::read_technique(whole.film(), s, t, false))});
     const Estimate ratio = jackknife(turns, [&](std::size_t without) {
       return relative_variance(images[0][i], without, reference) / relative_variance(images[1][i], without, reference);
     });
