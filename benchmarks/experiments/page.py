@@ -184,8 +184,8 @@ for (const input of document.querySelectorAll('.pair input'))
 '''
 
 INTRO = '''<p>Each row is one experiment of a paper, on its scene or the nearest there is. Variants take turns, A B A B, each
-turn with a seed of its own. <b>Relative variance</b>: var / (mean² + 0.01 M²) of a pixel's grey, averaged over the pixels,
-M the mean of the picture. <b>Seconds</b>: processor time of all threads over their number. <b>Efficiency</b>: 1 / (relative
+turn with a seed of its own. <b>Relative variance</b>: var / (mean² + 0.01 M²) of a pixel's grey, averaged over the pixels;
+mean, and M, the mean of the whole picture, are those of a reference render. <b>Seconds</b>: processor time of all threads over their number. <b>Efficiency</b>: 1 / (relative
 variance × seconds); what is told are ratios within one run, ± their standard errors over the turns.</p>'''
 
 

@@ -180,7 +180,9 @@ def measure(name, scenes, program, quick, folder):
             seconds[way].append(spent)
     images = {way: np.array(i) for way, i in images.items()}
     last = list(ways)[-1]
-    reference, first = images[last].mean(axis=0), list(ways)[0]
+    # A render of its own: no way's noise may enter its own measure.
+    reference = by_bdpt(program, path, size, 'bdpt', samples * turns, 1000000, folder)[0]
+    first = list(ways)[0]
     cost = lambda way, turns_: relative_variance(images[way][turns_], reference) * np.mean(np.array(seconds[way])[turns_])
     rows, agree = [], True
     for way in ways:

@@ -15,7 +15,7 @@ void adamsen_light_up(Report& report) {
   options.turns = setting.pick(16, 5, 2);
   std::vector<Estimate> ratios, own;
   for (const BoxLight light : {BoxLight::Down, BoxLight::Up}) {
-    const Stage stage = build_stage(cornell_box(BoxContents::Boxes, light), setting.pick(400, 180, 24), setting, 1);
+    const Stage stage = build_stage(cornell_box(BoxContents::Boxes, light), setting.pick(400, 128, 24), setting, 1);
     const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
     const std::string title = light == BoxLight::Down ? "Light down" : "Light up";
     report.add(contest_table(title + ", the same time", contestants));
@@ -42,7 +42,7 @@ void adamsen_glass_sphere(Report& report) {
   options.passes = setting.pick(32, 24, 1);
   options.turns = setting.pick(16, 5, 2);
   const Stage stage =
-      build_stage(cornell_box(BoxContents::GlassSphere, BoxLight::Down), setting.pick(400, 180, 24), setting, 0.5f);
+      build_stage(cornell_box(BoxContents::GlassSphere, BoxLight::Down), setting.pick(400, 128, 24), setting, 0.5f);
   const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
   report.measured("A Cornell box with a glass sphere, paths of up to 4 edges.");
   report.add(contest_table("The same time", contestants));

@@ -53,7 +53,7 @@ void course_weights(Report& report) {
   options.turns = setting.pick(16, 5, 2);
   options.equal_time = false;
   const Stage stage =
-      build_stage(cornell_box(BoxContents::TwoDiffuse, BoxLight::Down), setting.pick(400, 200, 24), setting, 1);
+      build_stage(cornell_box(BoxContents::TwoDiffuse, BoxLight::Down), setting.pick(400, 128, 24), setting, 1);
   const auto contestants = hold(stage, {power, average}, options);
   report.measured("Direct light alone: paths of up to 2 edges.");
   report.add(contest_table("The same samples", contestants));

@@ -130,7 +130,7 @@ void matrix_door(Report& report) {
   const Setting& setting = report.setting();
   SceneDescription scene = bitterli_scene(setting, "veach-ajar");
   add_unreachable_emitters(scene);
-  const Stage stage = build_stage(std::move(scene), setting.pick(480, 112, 24), setting, 1);
+  const Stage stage = build_stage(std::move(scene), setting.pick(480, 96, 24), setting, 1);
   report.measured(
       "Bitterli's door ajar; ten copies of its lamp in closed boxes take ten of eleven light subpaths. Paths "
       "of up to 6 edges.");
@@ -139,14 +139,14 @@ void matrix_door(Report& report) {
 
 void matrix_houses(Report& report) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(stacked_houses(), setting.pick(480, 112, 24), setting, 0.5f);
+  const Stage stage = build_stage(stacked_houses(), setting.pick(480, 96, 24), setting, 0.5f);
   report.measured("Eleven houses of three closed rooms, a lamp in each; one room is seen. Paths of up to 6 edges.");
   judge_faster(report, converge(report, stage, 6));
 }
 
 void matrix_egg_room(Report& report) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(400, 96, 24), setting);
+  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(400, 80, 24), setting);
   report.measured("Paths of up to 6 edges.");
   const Outcome outcome = converge(report, stage, 6);
   const Estimate& ratio = outcome.over_bdpt;
@@ -157,7 +157,7 @@ void matrix_egg_room(Report& report) {
 
 void matrix_connections(Report& report) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(bathroom(), setting.pick(480, 96, 24), setting, 1);
+  const Stage stage = build_stage(bathroom(), setting.pick(480, 80, 24), setting, 1);
   ContestOptions options;
   options.max_edges = 6;
   options.passes = setting.pick(64, 32, 8);

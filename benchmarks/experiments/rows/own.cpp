@@ -90,7 +90,7 @@ void own_pixels(Report& report) {
   Table table{"A Cornell box, paths of up to 5 edges", {"pixels", "BDPT, µs a sample", "matrix, µs a sample"}, {}};
   Plot plot{"Cost", "pixels", kCost, {{"BDPT", {}, {}}, {"matrix", {}, {}}}};
   double low = INFINITY, high = 0;
-  for (std::uint32_t width = 32; width <= setting.pick(2048u, 512u, 32u); width *= 2) {
+  for (std::uint32_t width = 32; width <= setting.pick(2048u, 256u, 32u); width *= 2) {
     const Stage stage = build_stage(cornell_box(BoxContents::MirrorAndGlass, BoxLight::Down), width, setting);
     const std::uint64_t passes = std::max<std::uint64_t>(1, setting.pick(64, 16, 1) * 128 * 128 / (width * width)) * 8;
     const std::size_t turns = setting.pick(5, 2, 2);
@@ -199,7 +199,7 @@ void own_plans(Report& report) {
   for (const NamedScene& scene : scenes) {
     std::vector<Contestant> contestants;
     try {
-      const Stage stage = build_stage(scene.make(), setting.pick(240, 64, 16), setting);
+      const Stage stage = build_stage(scene.make(), setting.pick(240, 48, 16), setting);
       ContestOptions options;
       options.max_edges = 6;
       options.passes = setting.pick(32, 8, 1);

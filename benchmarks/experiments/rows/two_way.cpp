@@ -13,7 +13,7 @@ namespace {
 // Half as many two-way samples as samples of eye and of light paths: as many paths.
 void compare_ways(Report& report, SceneDescription scene, float exposure) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(std::move(scene), setting.pick(480, 160, 24), setting, exposure);
+  const Stage stage = build_stage(std::move(scene), setting.pick(480, 128, 24), setting, exposure);
   ContestOptions options;
   options.max_edges = 6;
   options.passes = setting.pick(64, 24, 2);

@@ -10,7 +10,7 @@ namespace bdpt_experiments {
 
 void veach_egg_room(Report& report) {
   const Setting& setting = report.setting();
-  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(500, 160, 32), setting);
+  const Stage stage = build_stage(bitterli_scene(setting, "veach-bidir"), setting.pick(500, 144, 32), setting);
   ContestOptions options;
   options.max_edges = 5;
   options.passes = setting.pick(25, 25, 1);
@@ -46,7 +46,7 @@ void veach_shrinking_patch(Report& report) {
   plot.series = {{"BDPT", {}, {}}, {"path tracing", {}, {}}};
   std::vector<Estimate> ratios, own;
   for (const float radius : {1.f, 0.5f, 0.25f, 0.125f, 0.0625f}) {
-    const Stage stage = build_stage(shrinking_patch(radius), setting.pick(400, 120, 24), setting, 0.5f);
+    const Stage stage = build_stage(shrinking_patch(radius), setting.pick(400, 96, 24), setting, 0.5f);
     const auto contestants = hold(stage, {bidirectional(), path_tracing()}, options);
     const Estimate bdpt = relative_variance(contestants[0].end()), path = relative_variance(contestants[1].end());
     ratios.push_back(efficiency_ratio(contestants[0].end(), contestants[1].end()));
