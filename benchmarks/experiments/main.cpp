@@ -40,20 +40,27 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void run(const Experiment& experiment, const Setting& setting) {
+// Whether it went well; a row that fails is told on the page, and does not keep the others from running.
+bool run(const Experiment& experiment, const Setting& setting) {
   std::fprintf(stderr, "%-12s %s ... ", experiment.id, experiment.title);
   std::fflush(stderr);
   const double begin = wall_seconds(), processor = processor_seconds();
   Report report(experiment, setting);
+  bool failed = false;
   try {
     experiment.run(report);
   } catch (const SceneMissing& missing) {
     report.verdict(Verdict::Skipped, std::string("Skipped: ") + missing.what() + ".");
+  } catch (const std::exception& error) {
+    report.verdict(Verdict::Open, std::string("Not measured: ") + error.what());
+    failed = true;
+    std::fprintf(stderr, "failed: %s; ", error.what());
   }
   const double seconds = wall_seconds() - begin;
   const unsigned threads = setting.threads ? setting.threads : std::max(1u, std::thread::hardware_concurrency());
   report.write(seconds, (processor_seconds() - processor) / (seconds * threads));
   std::fprintf(stderr, "%.0f s\n", seconds);
+  return !failed;
 }
 
 }  // namespace
@@ -82,8 +89,9 @@ int main(int argc, char** argv) {
     }
     const auto experiments = chosen(ids);
     std::filesystem::create_directories(setting.output);
-    for (const Experiment* experiment : experiments) run(*experiment, setting);
-    return 0;
+    bool good = true;
+    for (const Experiment* experiment : experiments) good = run(*experiment, setting) && good;
+    return good ? 0 : static_cast<int>(bdpt_tool::ExitCode::kFailure);
   } catch (const bdpt_tool::Error& error) {
     std::fprintf(stderr, "bdpt_experiments: %s\n", error.what());
     return static_cast<int>(error.code());

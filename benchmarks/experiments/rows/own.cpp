@@ -1,6 +1,8 @@
 // What no paper has: costs that grow, and every plan on every scene.
 //
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -30,6 +32,11 @@ Estimate sample_cost(const Stage& stage, const Variant& variant, std::uint32_t m
       if (i != without) sum += costs[i];
     return sum / double(turns - (without < turns ? 1 : 0));
   });
+}
+
+// Of a third of the machine's memory, at 150 bytes each.
+std::uint64_t triangles_that_fit() {
+  return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE)) / 3 / 150;
 }
 
 constexpr const char* kCost = "µs a sample";
@@ -68,7 +75,7 @@ void own_triangles(Report& report) {
   Table table{"BDPT over a waved field", {"triangles", "build, s", "memory, MB", kCost}, {}};
   Plot plot{"Cost", "triangles", kCost, {{"BDPT", {}, {}}}};
   std::vector<double> cost;
-  const std::uint64_t most = setting.pick<std::uint64_t>(50'000'000, 1'000'000, 20'000);
+  const std::uint64_t most = std::min(setting.pick<std::uint64_t>(50'000'000, 1'000'000, 20'000), triangles_that_fit());
   for (std::uint64_t count : {10'000ull, 100'000ull, 1'000'000ull, 10'000'000ull, 50'000'000ull}) {
     if (count > most) break;
     const Stage stage = build_stage(triangle_field(count), setting.pick(320, 160, 24), setting);
