@@ -13,7 +13,7 @@ import math
 import pathlib
 import sys
 
-VERDICTS = {'agrees': 'agrees', 'partly': 'agrees in part', 'differs': 'does not agree', 'open': 'not measured', 'skipped': 'skipped',
+VERDICTS = {'agrees': 'agrees', 'partly': 'agrees in part', 'differs': 'does not agree', 'open': 'open', 'skipped': 'skipped',
             'none': 'not run', 'told': 'measured'}
 
 

@@ -30,7 +30,8 @@ void compare_ways(Report& report, SceneDescription scene, float exposure) {
                  over_bdpt = efficiency_ratio(two_way.end(), bdpt.end());
   report.verdict(above(gain, 2) && cost < 1.25 ? Verdict::Agrees
                  : above(gain, 1)              ? Verdict::Partly
-                                               : Verdict::Differs,
+                 : below(gain, 1)              ? Verdict::Differs
+                                               : Verdict::Open,
                  "Two-way has " + text(gain) + " times the efficiency of path tracing and " + text(over_bdpt) +
                      " times that of BDPT; its sample costs " + text(Estimate{cost, 0}) +
                      " times a path tracing sample and a light tracing sample together.");

@@ -20,7 +20,9 @@ void veach_egg_room(Report& report) {
   report.measured("The scene of figure 10.3 as Bitterli built it, paths of up to 5 edges, power heuristic.");
   report.add(contest_table("The same time", contestants));
   const Estimate ratio = efficiency_ratio(bdpt.end(), path.end());
-  report.verdict(above(ratio, 2) ? Verdict::Agrees : Verdict::Differs,
+  report.verdict(above(ratio, 2)   ? Verdict::Agrees
+                 : below(ratio, 2) ? Verdict::Differs
+                                   : Verdict::Open,
                  "In the same time BDPT has " + text(ratio) + " times the efficiency of path tracing.");
   report.compare("Figure 10.3", label(bdpt), bdpt.picture, label(path), path.picture, stage.exposure);
 
