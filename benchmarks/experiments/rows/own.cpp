@@ -224,7 +224,7 @@ void own_plans(Report& report) {
       table.rows.back().push_back(ratio);
       // What light tracing cannot see at all has no variance: a tenth of the light missing rules it out.
       const double light = mean(contestants[v].end()).value / mean(contestants[0].end()).value;
-      if (ratio.value > best && light > 0.9) best = ratio.value, winner = v;
+      if (above(ratio, 1) && ratio.value > best && light > 0.9) best = ratio.value, winner = v;
     }
     table.rows.back().push_back(variants[winner].name);
     ++wins[winner];
