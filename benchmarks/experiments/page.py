@@ -156,8 +156,8 @@ section{border-top:1px solid var(--line);padding:1.5rem 0}
 .wide{overflow-x:auto;margin:1rem 0}table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem}
 caption{text-align:left;font-weight:600;padding-bottom:.3rem}
 th,td{padding:.25rem .8rem .25rem 0;border-bottom:1px solid var(--line);text-align:right;vertical-align:top}
-th:first-child,td:first-child{text-align:left}th{font-weight:600;color:var(--soft)}
-.toc td:nth-child(n+2),.toc th:nth-child(n+2){text-align:left}
+td:not(:first-child){white-space:nowrap}th:first-child,td:first-child{text-align:left}th{font-weight:600;color:var(--soft)}
+.toc td:nth-child(2){white-space:normal}.toc td:nth-child(n+2),.toc th:nth-child(n+2){text-align:left}
 .plots,.pictures{display:flex;flex-wrap:wrap;gap:1rem;align-items:flex-start}
 figure{margin:0;background:var(--card);padding:.6rem;border-radius:.4rem;max-width:100%}
 figcaption{font-size:.9rem;margin-bottom:.4rem}figure img{display:block;max-width:100%;height:auto}
