@@ -151,7 +151,10 @@ void matrix_egg_room(Report& report) {
   const Outcome outcome = converge(report, stage, 6);
   const Estimate& ratio = outcome.over_bdpt;
   const bool par = ratio.value > 0.8 && ratio.value < 1.25;
-  report.verdict(par ? Verdict::Agrees : Verdict::Differs,
+  const bool other = below(ratio, 0.8) || above(ratio, 1.25);
+  report.verdict(par     ? Verdict::Agrees
+                 : other ? Verdict::Differs
+                         : Verdict::Open,
                  "Matrix has " + text(ratio) + " times the efficiency of BDPT." + outcome.others);
 }
 
