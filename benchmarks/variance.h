@@ -14,7 +14,10 @@ class ImageVariance {
 
   // var / (mean² + 0.01 M²), averaged over the pixels: var the unbiased sample variance of a pixel, mean its mean, M
   // the mean of the whole image.
-  double relative() const;
+  double relative() const { return relative_to(*this); }
+  // The same with mean and M of other renders: a variant that seldom finds some light is else measured by what it
+  // found.
+  double relative_to(const ImageVariance& reference) const;
   // The mean of the whole image.
   double image_mean() const;
 

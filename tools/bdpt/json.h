@@ -44,23 +44,53 @@ class JsonWriter {
 
   void open(std::string_view key) {
     begin(key);
-    text_ += '{';
-    first_ = true;
+    open_here('{');
   }
-  void close() {
-    text_ += '}';
-    first_ = false;
+  void close() { close_here('}'); }
+
+  // A list of objects or of other lists, each opened without a key, and of values.
+  void open_list(std::string_view key) {
+    begin(key);
+    open_here('[');
+  }
+  void open_list() {
+    separate();
+    open_here('[');
+  }
+  void close_list() { close_here(']'); }
+  void open() {
+    separate();
+    open_here('{');
+  }
+  void element(double value) {
+    separate();
+    number(value);
+  }
+  void element(std::string_view value) {
+    separate();
+    string(value);
   }
 
   // Closes the outermost object.
   std::string finish() && { return std::move(text_) + "}\n"; }
 
  private:
-  void begin(std::string_view key) {
+  void separate() {
     if (!first_) text_ += ", ";
     first_ = false;
+  }
+  void begin(std::string_view key) {
+    separate();
     string(key);
     text_ += ": ";
+  }
+  void open_here(char bracket) {
+    text_ += bracket;
+    first_ = true;
+  }
+  void close_here(char bracket) {
+    text_ += bracket;
+    first_ = false;
   }
 
   // null when not finite; with as many digits as tell the value from its neighbours.

@@ -42,9 +42,10 @@ void paste(Image& sheet, const Image& image, std::uint32_t x, std::uint32_t y, f
 struct Layout {
   std::uint32_t edges, first_t, shrink, cell_width, cell_height, width, height;
 
-  Layout(const bdpt_film_info& info, bool with_t0) : edges(info.pyramid_edges), first_t(with_t0 ? 0 : 1) {
+  Layout(const bdpt_film_info& info, bool with_t0, std::uint32_t max_width)
+      : edges(info.pyramid_edges), first_t(with_t0 ? 0 : 1) {
     const std::uint32_t columns = columns_of(edges);
-    shrink = std::max(1u, (columns * (info.width + kGap) + kMaxSheetWidth - 1) / kMaxSheetWidth);
+    shrink = std::max(1u, (columns * (info.width + kGap) + max_width - 1) / max_width);
     cell_width = std::max(info.width / shrink, 1u) + kGap;
     cell_height = std::max(info.height / shrink, 1u) + kGap;
     width = columns * cell_width;
@@ -60,24 +61,37 @@ struct Layout {
 
 }  // namespace
 
-void write_pyramid(const std::string& folder, const bdpt_film* film, const TechniqueMask& mask, bool with_t0,
-                   bool partial, const ViewOptions& options) {
-  const Layout layout(film_info(film), with_t0);
+Image pyramid_sheet(const bdpt_film* film, const TechniqueMask& mask, bool with_t0, bool partial, bool expose_rows,
+                    std::uint32_t max_width) {
+  const Layout layout(film_info(film), with_t0, max_width);
   Image sheet(layout.width, layout.height);
   for (std::uint32_t k = 1; k <= layout.edges; ++k) {
+    const float factor = expose_rows ? std::exp2(static_cast<float>(k - 1)) : 1;
+    for (std::uint32_t s = 0; s + layout.first_t <= k + 1; ++s) {
+      if (!allows(mask, s, k + 1 - s)) continue;
+      const Image image = read_technique(film, s, k + 1 - s, partial);
+      paste(sheet, shrink(image, layout.shrink), layout.x(k, s), layout.y(k), factor);
+    }
+  }
+  return sheet;
+}
+
+void write_pyramid(const std::string& folder, const bdpt_film* film, const TechniqueMask& mask, bool with_t0,
+                   bool partial, const ViewOptions& options) {
+  const std::uint32_t edges = film_info(film).pyramid_edges, first_t = with_t0 ? 0 : 1;
+  for (std::uint32_t k = 1; k <= edges; ++k) {
     ViewOptions row_options = options;
     row_options.exposure += static_cast<float>(k - 1);
-    for (std::uint32_t s = 0; s + layout.first_t <= k + 1; ++s) {
+    for (std::uint32_t s = 0; s + first_t <= k + 1; ++s) {
       const std::uint32_t t = k + 1 - s;
       if (!allows(mask, s, t)) continue;
       Image image = read_technique(film, s, t, partial);
       const std::string path = folder + "/s" + std::to_string(s) + "t" + std::to_string(t);
       write_exr(path + ".exr", image);
-      paste(sheet, shrink(image, layout.shrink), layout.x(k, s), layout.y(k), std::exp2(static_cast<float>(k - 1)));
       write_png(path + ".png", std::move(image), row_options);
     }
   }
-  write_png(folder + "/pyramid.png", std::move(sheet), options);
+  write_png(folder + "/pyramid.png", pyramid_sheet(film, mask, with_t0, partial, true, kMaxSheetWidth), options);
 }
 
 }  // namespace bdpt_tool

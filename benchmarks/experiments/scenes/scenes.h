@@ -1,0 +1,45 @@
+// The papers' scenes of which only words and numbers are known, and those of the shared folder.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene_maker.h"
+
+namespace bdpt_experiments {
+
+using bdpt_benchmark::Point;
+using bdpt_benchmark::Rgb;
+using bdpt_benchmark::SceneMaker;
+using bdpt_tool::SceneDescription;
+
+// The Cornell box, 2 x 2 x 2 over the origin, open to the camera.
+enum class BoxContents { Boxes, GlassSphere, MirrorAndGlass, TwoDiffuse };
+enum class BoxLight { Down, Up, Occluded };  // occluded: a plate hangs under the lamp
+SceneDescription cornell_box(BoxContents contents, BoxLight light);
+
+// A room lit by a lamp that shines on a round patch of the ceiling alone. The lamp's flux stays the same.
+SceneDescription shrinking_patch(float patch_radius);
+
+// Eleven houses one upon another, three closed rooms with a lamp in each; the view is into one of them.
+SceneDescription stacked_houses();
+
+// A small bathroom: tiles, a large mirror, a glossy basin and tub, two lamps in shades over the mirror.
+SceneDescription bathroom();
+
+// Brown's scenes: spheres on a floor under a small spherical lamp; meshes on a floor under a small square one.
+SceneDescription brown_spheres();
+SceneDescription brown_meshes();
+
+// A hall under `count` lamps of the same power together.
+SceneDescription lamp_hall(int count);
+
+// A waved floor of about `count` triangles under a lamp.
+SceneDescription triangle_field(std::uint64_t count);
+
+// Ten emitters in closed boxes far from the view, as strong as the scene's own.
+void add_unreachable_emitters(SceneDescription& scene);
+
+}  // namespace bdpt_experiments
