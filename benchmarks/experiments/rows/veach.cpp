@@ -83,8 +83,9 @@ Table saved_rays(const std::string& title, const Job& job) {
         if (round == 0)
           all += own;
         else if (own > 0.01 * all)
-          table.rows.push_back({"(" + std::to_string(s) + "," + std::to_string(k + 1 - s) + ")", 100 * own / all,
-                                100 * double(stats.shadow_rays_skipped) / own, 100 * stats.energy});
+          table.rows.push_back(
+              {std::string("(").append(std::to_string(s)).append(",").append(std::to_string(k + 1 - s)) + ")",
+               100 * own / all, 100 * double(stats.shadow_rays_skipped) / own, 100 * stats.energy});
       }
   return table;
 }
