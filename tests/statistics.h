@@ -27,8 +27,8 @@ inline double chi_square_tail(double chi2, double degrees) {
 // Pearson's test that counts follow the expected ones: the chance of a worse fit. Bins are pooled, the least expected
 // first, until each pool expects at least 5. A count where nothing is expected gives 0. The expected counts must sum
 // to what the sum of the observed ones is expected to be; where the latter is fixed, it is one degree of freedom less.
-inline double chi_square_test(const std::vector<double>& observed, const std::vector<double>& expected,
-                              bool fixed_total = true) {
+[[gnu::noinline]] inline double chi_square_test(const std::vector<double>& observed,
+                                                const std::vector<double>& expected, bool fixed_total = true) {
   std::vector<size_t> order(expected.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return expected[a] < expected[b]; });
