@@ -157,5 +157,17 @@ TEST(TransportMmlt, TheImageIsTheSumOfItsPyramid) {
   EXPECT_GT(brightest, 1);
 }
 
+// Path tracing has no light subpaths to join, but a heuristic that is no sum keeps the vertices.
+TEST(TransportMmlt, PathTracingByTheMaximumHeuristic) {
+  const ScenePointer scene = scenes::room({}).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view(), 32, 32);
+  TransportOptions options = options_for(mask_of([](int s, int t) { return s <= 1 && t >= 2; }), 4);
+  options.heuristic = Heuristic::Maximum;
+  const BlockMeans expected = block_means(scene, camera, options, {.passes = 16});
+  options.plan = find_plan("mmlt");
+  options.pool_passes = 4;
+  expect_same(block_means(scene, camera, options, {.passes = 16, .first_seed = 2}), expected, 1, "mmlt");
+}
+
 }  // namespace
 }  // namespace bdpt

@@ -34,6 +34,8 @@ extern const Plan* const kPlans[];
 const Plan* find_plan(const char* name);  // nullptr if there is none
 const Plan* plan_at(size_t index);        // nullptr past the last
 
+// An eye subpath with its own light subpaths, every prefix with every suffix (one-to-one; chains).
+void connect_own(Block& block);
 // For plans that do all.
 inline bool serves_all(int, int) { return true; }
 

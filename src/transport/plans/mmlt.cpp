@@ -26,16 +26,6 @@ constexpr float kLargeStep = 0.1f;        // probability
 
 SampleCounts counts(const TransportOptions&, double) { return {}; }
 
-void connect(Block& block) {
-  const LightSubpaths& light = block.light();
-  block.each_eye_vertex([&](const Vertex& z, uint32_t sample) {
-    for (uint32_t j = light.last[sample]; j != kNoVertex; j = light.vertices[j].previous_index) {
-      const Vertex& y = light.vertices[j];
-      if (y.is_joinable() && block.takes(y.count, z.count, sample)) block.connect(y, z, sample, 1, light);
-    }
-  });
-}
-
 void deposit(Film& film, const Contribution& c, float weight) {
   const Rgb value = c.value * weight;
   if (c.t >= 2)
@@ -158,7 +148,7 @@ const Plan kMmlt = {.name = "mmlt",
                     .summary = "multiplexed Metropolis light transport: Markov chains of paths (Hachisuka et al.)",
                     .serves = serves_all,
                     .counts = counts,
-                    .connect = connect,
+                    .connect = connect_own,
                     .run = run,
                     .block_size = kBlock,
                     .passes = 16,

@@ -11,7 +11,9 @@ SampleCounts counts(const TransportOptions& options, double) {
   return {.light = n, .connections = n};
 }
 
-void connect(Block& block) {
+}  // namespace
+
+void connect_own(Block& block) {
   const LightSubpaths& light = block.light();
   if (light.count() == 0) return;
   const uint32_t n = uint32_t(block.engine().options.light_samples);
@@ -19,18 +21,16 @@ void connect(Block& block) {
     for (uint32_t l = sample * n; l < (sample + 1) * n; ++l)
       for (uint32_t j = light.last[l]; j != kNoVertex; j = light.vertices[j].previous_index) {
         const Vertex& y = light.vertices[j];
-        if (y.is_joinable() && block.allows(y, z)) block.connect(y, z, sample, float(n), light);
+        if (y.is_joinable() && block.takes(y.count, z.count, sample)) block.connect(y, z, sample, float(n), light);
       }
   });
 }
-
-}  // namespace
 
 extern const Plan kOneToOne;
 const Plan kOneToOne = {.name = "one-to-one",
                         .summary = "bidirectional path tracing: an eye subpath meets its own light subpath (Veach)",
                         .serves = serves_all,
                         .counts = counts,
-                        .connect = connect};
+                        .connect = connect_own};
 
 }  // namespace bdpt
