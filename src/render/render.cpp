@@ -5,8 +5,8 @@
 #include "transport/block.h"
 #include "transport/image_pilot.h"
 #include "transport/plan.h"
+#include "transport/stage_timer.h"
 
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <mutex>
@@ -20,8 +20,6 @@ constexpr uint32_t kDefaultBlock = 256;
 constexpr double kProgressInterval = 0.1;
 constexpr double kPoolReserve = 1.3;        // vectors grow in steps, and passes differ from the pilot
 constexpr uint64_t kBytesPerSample = 4096;  // of a block's buffers, for the memory limit: some ten vertices a side
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // The lowest pass from `first` on that the film does not hold.
 uint64_t next_free_pass(const Film& film, uint64_t first) {
@@ -51,7 +49,7 @@ void check_whole_pools(const Engine& engine, const char* field, uint64_t passes)
 // What advance() knows of its own call.
 struct Render::Call {
   const AdvanceDesc& desc;
-  double begin = now();
+  double begin = seconds_now();
   std::thread::id caller = std::this_thread::get_id();
   std::atomic<bool> stop{false};  // no further block
   bool callback_stopped = false;
@@ -60,7 +58,7 @@ struct Render::Call {
   std::atomic<uint32_t> blocks_done{0};
   uint32_t blocks = 1;
   uint64_t pool_passes = 1;
-  double last_progress = now();
+  double last_progress = seconds_now();
   double fraction = 0;
   double relative_error = -1;
   std::mutex mutex;
@@ -68,7 +66,7 @@ struct Render::Call {
 
   explicit Call(const AdvanceDesc& d) : desc(d) {}
   bool cancelled() const { return desc.cancel && desc.cancel->load(std::memory_order_relaxed); }
-  double seconds() const { return now() - begin; }
+  double seconds() const { return seconds_now() - begin; }
 
   void report() {
     if (!desc.on_progress || callback_stopped) return;
@@ -78,14 +76,14 @@ struct Render::Call {
     if (desc.seconds > 0) f = std::max(f, seconds() / desc.seconds);
     if (desc.noise > 0 && relative_error > 0) f = std::max(f, std::pow(desc.noise / relative_error, 2));
     fraction = std::max(fraction, std::min(f, 1.0));
-    last_progress = now();
+    last_progress = seconds_now();
     if (!desc.on_progress({fraction, seconds(), passes, samples})) {
       callback_stopped = true;
       stop = true;
     }
   }
   void report_now_and_then() {
-    if (std::this_thread::get_id() == caller && now() - last_progress > kProgressInterval) report();
+    if (std::this_thread::get_id() == caller && seconds_now() - last_progress > kProgressInterval) report();
   }
 };
 
@@ -203,15 +201,21 @@ bool Render::run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& 
   return false;
 }
 
-bool Render::fill_pool(Call& call) {
-  pool_->begin(engine_->light_per_pass());
+// The same for tasks that need a block each and leave nothing behind when the call is told to stop.
+bool Render::run_blocks(Call& call, uint32_t count, const std::function<void(Block&, uint32_t)>& task) {
   std::atomic<uint32_t> done{0};
-  const bool filled = run_tasks(call, pool_->pieces(), done, [&](uint32_t i) {
+  return run_tasks(call, count, done, [&](uint32_t i) {
     run_task(call, [&](Block& block) {
-      pool_->fill(block, pass_, i);
+      task(block, i);
       ++done;
     });
   });
+}
+
+bool Render::fill_pool(Call& call) {
+  pool_->begin(engine_->light_per_pass());
+  const bool filled =
+      run_blocks(call, pool_->pieces(), [&](Block& block, uint32_t i) { pool_->fill(block, pass_, i); });
   if (!filled) {
     restart_pass();
     return false;
@@ -223,18 +227,9 @@ bool Render::fill_pool(Call& call) {
 // The thresholds of the shadow rays' roulette.
 bool Render::run_pilot(Call& call) {
   ImagePilot pilot(*engine_);
-  const auto run = [&](uint32_t count, auto&& task) {
-    std::atomic<uint32_t> done{0};
-    return run_tasks(call, count, done, [&](uint32_t i) {
-      run_task(call, [&](Block& block) {
-        task(block, i);
-        ++done;
-      });
-    });
-  };
-  if (!run(pilot.pool_tasks(), [&](Block& block, uint32_t i) { pilot.fill_pool(block, i); })) return false;
+  if (!run_blocks(call, pilot.pool_tasks(), [&](Block& block, uint32_t i) { pilot.fill_pool(block, i); })) return false;
   pilot.finish_pool();
-  if (!run(pilot.row_tasks(), [&](Block& block, uint32_t i) { pilot.run_row(block, i); })) return false;
+  if (!run_blocks(call, pilot.row_tasks(), [&](Block& block, uint32_t i) { pilot.run_row(block, i); })) return false;
   engine_->roulette.set_efficient(pilot.grid(), pilot.measures());
   return true;
 }

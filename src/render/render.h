@@ -76,6 +76,7 @@ class Render {
   void restart_pass();
   bool run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,
                  const std::function<void(uint32_t)>& task);
+  bool run_blocks(Call& call, uint32_t count, const std::function<void(Block&, uint32_t)>& task);
   void run_task(Call& call, const std::function<void(Block&)>& task);
   std::unique_ptr<Worker> take_worker();
 

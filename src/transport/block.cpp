@@ -3,13 +3,10 @@
 #include "transport/plan.h"
 #include "transport/stage_timer.h"
 
-#include <limits>
-
 namespace bdpt {
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr size_t kConnectionsInFlight = 1024;
 
 }  // namespace
@@ -134,10 +131,11 @@ void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, co
 
 void Block::join_inner() {
   if (!engine_.keeps_vertices()) return;
-  const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
-  roulette_key_ = ~0ull;
-  engine_.plan.connect(*this);
-  stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
+  {
+    const OuterStageTimer timer(stats_.connect, stats_);
+    roulette_key_ = ~0ull;
+    engine_.plan.connect(*this);
+  }
   shadow();
 }
 

@@ -1,13 +1,9 @@
 // Connections: one evaluates, one weighs, and hands the shadow ray on. The order is by cost: sides, BSDFs, weight.
 #include "transport/block.h"
 
-#include <limits>
-
 namespace bdpt {
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // The ray between two points that were moved off their surfaces.
 Ray between(const Vec3& a, const Vec3& b) { return {a, 1, b - a}; }

@@ -29,9 +29,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
 
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
   if (options.connections == 0) options.connections = plan.default_connections;
-  counts = plan.counts(options, 1);
-  counts.direct = float(options.direct_samples);
-  const bool structured = TechniqueClasses::from_mask(options.techniques, counts, classes);
+  const bool structured = set_counts(1);
   unweighted = options.heuristic == Heuristic::None;
   running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
 
@@ -51,10 +49,10 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   if (options.shadow_roulette == Roulette::Fixed) roulette.set_fixed(options.shadow_threshold);
 }
 
-void Engine::set_counts(double light_vertices) {
+bool Engine::set_counts(double light_vertices) {
   counts = plan.counts(options, light_vertices);
   counts.direct = float(options.direct_samples);
-  TechniqueClasses::from_mask(options.techniques, counts, classes);
+  return TechniqueClasses::from_mask(options.techniques, counts, classes);
 }
 
 FilmRecipe Engine::recipe() const {

@@ -57,7 +57,8 @@ struct Engine {
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
   FilmRecipe recipe() const;
   // For plans whose counts depend on what a pilot finds.
-  void set_counts(double light_vertices);
+  // True if the mask says the same within each class of techniques.
+  bool set_counts(double light_vertices);
 
   // The streams of random numbers of eye or light subpath `number` of a pass. Passes fall into independently scrambled
   // groups; an eye subpath's points belong to its pixel, a light subpath's to the whole pass.

@@ -2,13 +2,7 @@
 #include "transport/block.h"
 #include "transport/stage_timer.h"
 
-#include <limits>
-
 namespace bdpt {
-
-namespace {
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-}
 
 void Block::extend() {
   if (engine_.allows(1, 1)) {
@@ -45,18 +39,19 @@ void Block::extend() {
 // What the vertices just made can be joined to without knowing of any subpath of the other side. The shadow rays are
 // cast now, not when there are many: the order in which a sample's contributions are added must not depend on others.
 void Block::connect_ends() {
-  const double inside = stats_.shadow + stats_.accumulate, begin = seconds_now();
-  for (const Arrival& a : arrivals_) {
-    const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
-    if (v.specular) continue;
-    if (a.eye) {
-      if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
-    } else if (takes(v.count, 1, a.sample)) {
-      connect_to_sensor(v, a.sample);
+  {
+    const OuterStageTimer timer(stats_.connect, stats_);
+    for (const Arrival& a : arrivals_) {
+      const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
+      if (v.specular) continue;
+      if (a.eye) {
+        if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
+      } else if (takes(v.count, 1, a.sample)) {
+        connect_to_sensor(v, a.sample);
+      }
+      flush_if_full();  // one vertex of each subpath: its contributions keep their order
     }
-    flush_if_full();  // one vertex of each subpath: its contributions keep their order
   }
-  stats_.connect += seconds_now() - begin - (stats_.shadow + stats_.accumulate - inside);
   shadow();
 }
 

@@ -1,6 +1,8 @@
 // Seconds by stage, for the statistics.
 #pragma once
 
+#include "transport/stats.h"
+
 #include <chrono>
 
 namespace bdpt {
@@ -17,6 +19,20 @@ class StageTimer {
 
  private:
   double& total_;
+  double begin_;
+};
+
+// The same for a stage that may test and add connections meanwhile: without the seconds of those.
+class OuterStageTimer {
+ public:
+  OuterStageTimer(double& total, const TransportStats& stats)
+      : total_(total), stats_(stats), begin_(seconds_now() - inner()) {}
+  ~OuterStageTimer() { total_ += seconds_now() - inner() - begin_; }
+
+ private:
+  double inner() const { return stats_.shadow + stats_.accumulate; }
+  double& total_;
+  const TransportStats& stats_;
   double begin_;
 };
 

@@ -17,6 +17,7 @@
 #include "math/vec.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace bdpt {
 
@@ -51,6 +52,7 @@ struct Vertex {
 };
 
 inline constexpr uint32_t kNoVertex = ~0u;
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();  // how far a ray goes that has no end
 
 // f_s in geometric terms, and both densities, for two directions at a surface vertex.
 struct Scattering {
