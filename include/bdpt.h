@@ -779,6 +779,12 @@ typedef struct bdpt_render_stats {
   uint64_t shadow_rays_skipped; /* by the shadow rays' roulette */
   uint64_t mutations;         /* of Markov chains (mmlt): proposals, and how many became the state */
   uint64_t accepted;
+  uint32_t light_samples;     /* light subpaths for each eye subpath; automatic: its choice */
+  float share_path;           /* automatic, after its pilot: parts of the image by path tracing, */
+  float share_two_way;        /*   two-way, */
+  float share_one_to_one;     /*   one-to-one */
+  float share_matrix;         /*   and matrix; together 1. Else all 0 */
+  uint32_t reserved_2;
 } bdpt_render_stats;
 
 /* Tells what a render has done so far.

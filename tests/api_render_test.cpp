@@ -56,6 +56,7 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   EXPECT_OK(try_render([](auto& d) { d.light_samples = 2; }));
   refused([](auto& d) { d.light_samples = 1025; });
   refused([](auto& d) { d.plan = "mmlt", d.light_samples = 2; });
+  refused([](auto& d) { d.plan = "automatic", d.light_samples = 2; });
   refused([](auto& d) { d.plan = "mmlt", d.direct_samples = 2; });
   refused([](auto& d) { d.plan = "mmlt", d.direct_candidates = 2; });
   refused([](auto& d) { d.plan = "mmlt", d.light_selection = BDPT_LIGHT_SELECTION_EACH; });

@@ -207,6 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
                       Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
+                      Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
+                      Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},
                       Kind{"combinatorial", SamplerType::Independent, "combinatorial"},
                       Kind{"roulette", SamplerType::Sobol, "one-to-one", 2, 1, Roulette::Efficiency},
                       Kind{"pooled roulette", SamplerType::Sobol, "pooled", 1, 1, Roulette::Efficiency},

@@ -42,6 +42,7 @@ const std::vector<Way> kWays = {
     {"matrix", 4, 3, 1, Order::Hilbert, Partners::LatinHypercube},
     {"matrix", 4, 1, 2, Order::None},
     {"mmlt", 4},
+    {"automatic", 4},
 };
 
 TransportOptions options_of(const Way& way, int max_edges) {

@@ -96,9 +96,10 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   read_shadow_roulette(subject, desc, options);
   read_direct_lighting(subject, desc, options);
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
-  if (desc.light_samples > 1 && plan.chains)
+  if (desc.light_samples > 1 && (plan.chains || plan.chooses))
     subject.refuse("light_samples", "is ", desc.light_samples, ", but the plan ", plan.name,
-                   " takes one light subpath with an eye subpath: give 0 or 1, or another plan");
+                   plan.chooses ? " chooses their number itself: give 0, or another plan"
+                                : " takes one light subpath with an eye subpath: give 0 or 1, or another plan");
   options.light_samples = int(desc.light_samples == 0 ? 1 : desc.light_samples);
   options.roulette_start = to_int(desc.roulette_start == 0 ? kDefaultRouletteStart : desc.roulette_start);
   return options;
@@ -210,6 +211,11 @@ bdpt_result bdpt_render_get_stats(const bdpt_render* render, bdpt_render_stats* 
     result.shadow_rays_skipped = from.shadow_rays_skipped;
     result.mutations = from.mutations;
     result.accepted = from.accepted;
+    result.light_samples = uint32_t(r.engine().options.light_samples);
+    result.share_path = r.engine().share(kPath);
+    result.share_two_way = r.engine().share(*find_plan("two-way"));
+    result.share_one_to_one = r.engine().share(*find_plan("one-to-one"));
+    result.share_matrix = r.engine().share(*find_plan("matrix"));
     write_struct(result, stats);
   });
 }

@@ -88,9 +88,11 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
     light.first = uint32_t(i);
     switch (o.type) {
       case LightType::Point:
+        all_hittable_ = false;
         power.push_back(4.0 * kPi * norm(o.intensity));
         break;
       case LightType::Spot:
+        all_hittable_ = false;
         light.kind = Kind::Spot;
         power.push_back(2.0 * kPi * norm(o.intensity) * (1 - 0.5 * (double(o.cos_inner) + o.cos_outer)));
         break;

@@ -77,6 +77,7 @@ class Lights {
   size_t count() const { return lights_.size(); }
   bool empty() const { return by_power_.empty(); }
   bool any_hittable() const { return any_hittable_; }
+  bool all_hittable() const { return all_hittable_; }
   bool has_environment() const { return environment_ >= 0; }
   int environment() const { return environment_; }
 
@@ -142,7 +143,7 @@ class Lights {
   Discrete by_power_;
   Vec3 center_;
   float radius_ = 0;
-  bool any_hittable_ = false;
+  bool any_hittable_ = false, all_hittable_ = true;
   int environment_ = -1;
   Rgb environment_radiance_;
 };

@@ -6,6 +6,7 @@
 #include "transport/image_pilot.h"
 #include "transport/plan.h"
 #include "transport/stage_timer.h"
+#include "transport/strategy_pilot.h"
 
 #include <cmath>
 #include <exception>
@@ -224,6 +225,14 @@ bool Render::fill_pool(Call& call) {
   return pool_filled_ = true;
 }
 
+// The strategies of tiles.
+bool Render::choose_strategies(Call& call) {
+  StrategyPilot pilot(*engine_);
+  if (!run_blocks(call, pilot.tasks(), [&](Block& block, uint32_t i) { block.stats() += pilot.run(i); })) return false;
+  engine_->choose(pilot.choose());
+  return true;
+}
+
 // The thresholds of the shadow rays' roulette.
 bool Render::run_pilot(Call& call) {
   ImagePilot pilot(*engine_);
@@ -236,6 +245,7 @@ bool Render::run_pilot(Call& call) {
 
 // True when the pass in hand is whole.
 bool Render::run_pass(Call& call) {
+  if (engine_->plan.chooses && !engine_->map && !choose_strategies(call)) return false;
   if (engine_->options.shadow_roulette == Roulette::Efficiency && !engine_->roulette.plays() && !run_pilot(call))
     return false;
   call.blocks = uint32_t(blocks_.size());

@@ -58,6 +58,8 @@ class Render {
   TransportStats stats() const;       // also while advance() is under way
   TechniqueTable techniques() const;  // of the blocks that are done
   const Engine& engine() const { return *engine_; }
+  // For tests, before the first pass: instead of what a pilot would choose.
+  void set_strategies(StrategyMap map) { engine_->choose(std::move(map)); }
   uint64_t passes() const { return passes_; }
   double seconds() const { return seconds_; }
   Film& film() { return *film_; }
@@ -72,6 +74,7 @@ class Render {
   bool run_pass(Call& call);
   bool fill_pool(Call& call);
   bool run_pilot(Call& call);
+  bool choose_strategies(Call& call);
   void make_pool(const std::shared_ptr<MemoryMeter>& meter);
   void restart_pass();
   bool run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,

@@ -108,6 +108,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (const auto& t : desc_.textures)
     if (t) info_.memory += t->memory();
   info_.instances = instances_.size();
+  for (const Material& m : desc_.materials) info_.has_specular = info_.has_specular || m.is_specular();
   info_.hash = hash_scene(desc_);
 }
 

@@ -30,6 +30,7 @@ struct SceneInfo {
   uint64_t instances = 0, triangles = 0, spheres = 0, degenerate = 0;
   uint64_t memory = 0, memory_embree = 0, hash = 0;
   Vec3 bounds_min, bounds_max;
+  bool has_specular = false;  // some material
 };
 
 class Scene {

@@ -18,7 +18,7 @@ void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
   if (engine_.plan.run) return engine_.plan.run(*this, pass, rect);
   start_pixels(pass, engine_.pool_passes, rect);
   extend();
-  join_inner();
+  join_inner(*strategy_->plan);
   accumulate();
 }
 
@@ -52,6 +52,7 @@ void Block::start(size_t eyes, size_t lights) {
 void Block::start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect) {
   StageTimer timer(stats_.start);
   const SampleBounds& bounds = engine_.bounds;
+  strategy_ = &engine_.strategy_at({float(rect.x0), float(rect.y0)});
   const uint32_t samples = uint32_t(passes) * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
   // Within the pixel, whatever the rounding: x + u may come out as x + 1.
   const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };
@@ -87,7 +88,7 @@ void Block::start_eye(uint32_t sample, const FilmPosition& film, const float len
   w.projected = z0.density_direction;
   w.throughput = Rgb(z0.weight);
   w.density = z0.density_position;
-  w.sums = engine_.classes.t0;  // u_0: t = 0
+  w.sums = strategy_->classes.t0;  // u_0: t = 0
   w.vertex = kNoVertex;
   w.count = 1;
   w.most = most;
@@ -114,7 +115,7 @@ void Block::start_light(uint32_t light, uint32_t most) {
   w.density = y0.density_position;
   w.start_hittable = y0.y0.has_area || y0.y0.infinite;
   w.start_finite = !y0.y0.infinite;
-  w.sums = w.start_hittable ? engine_.classes.s0 : 0;  // u_0: s = 0
+  w.sums = w.outer = w.start_hittable ? engine_.strategy.classes.s0 : 0;  // u_0: s = 0
   w.vertex = kNoVertex;
   w.count = 1;
   w.most = most;
@@ -129,12 +130,12 @@ void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, co
 
 // --- plan, shadow and accumulate ---
 
-void Block::join_inner() {
-  if (!engine_.keeps_vertices()) return;
+void Block::join_inner(const Plan& plan) {
+  if (!keeps_vertices()) return;
   {
     const OuterStageTimer timer(stats_.connect, stats_);
     roulette_key_ = ~0ull;
-    engine_.plan.connect(*this);
+    plan.connect(*this);
   }
   shadow();
 }
@@ -154,6 +155,7 @@ void Block::shadow() {
   stats_.shadow_rays += shadow_rays_.size();
   for (size_t i = 0; i < connections_.size(); ++i) {
     const Connection& c = connections_[i];
+    if (engine_.tells_shares) shares_ = connection_shares_[i];
     if (blocked_[i])
       ++stats_.shadow_rays_blocked, ++techniques_.at(c.s, c.t).shadow_rays_blocked;
     else if (c.t >= 2)
@@ -163,6 +165,7 @@ void Block::shadow() {
   }
   shadow_rays_.clear();
   connections_.clear();
+  connection_shares_.clear();
 }
 
 void Block::accumulate() {
@@ -177,7 +180,7 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
   }
   count(s, t, value);
   if (keeps_) {
-    kept_.push_back({value, eye_.starts[sample].film, sample, s, t});
+    kept_.push_back({value, eye_.starts[sample].film, sample, s, t, shares_});
     return;
   }
   eye_sums_[sample] += value;
@@ -192,7 +195,7 @@ void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint
   }
   count(s, t, value);
   if (keeps_) {
-    kept_.push_back({value, film, light, s, t});
+    kept_.push_back({value, film, light, s, t, shares_});
     return;
   }
   engine_.film.add_light_sample(film, value);
@@ -211,6 +214,7 @@ void Block::push_connection(const Ray& ray, const Rgb& contribution, uint32_t sa
   ++technique.shadow_rays;
   shadow_rays_.push_back(ray);
   connections_.push_back({c, film, sample, s, t});
+  if (engine_.tells_shares) connection_shares_.push_back(shares_);
 }
 
 bool Block::survives(Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, const FilmPosition& film) {

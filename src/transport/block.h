@@ -10,6 +10,7 @@
 #pragma once
 
 #include "transport/chain.h"
+#include "transport/mis.h"
 #include "transport/vertex.h"
 
 #include <vector>
@@ -50,11 +51,12 @@ struct Contribution {
   Rgb value;
   FilmPosition film;
   uint32_t sample, s, t;
+  TechniqueShares shares;  // of an engine that tells them
 };
 
 class Block {
  public:
-  explicit Block(const Engine& engine) : engine_(engine), max_edges_(engine.max_edges()) {}
+  explicit Block(const Engine& engine) : engine_(engine), strategy_(&engine.strategy), max_edges_(engine.max_edges()) {}
   // The samples of some pixels, from the first vertex into the film. With a pool, eye subpaths alone.
   void run(uint64_t pass, const BlockRect& rect, const LightPool* pool = nullptr);
   // The light subpaths [first, first + count) of a pass, kept for a pool; those ends of theirs that need no eye subpath
@@ -76,6 +78,8 @@ class Block {
   const EyeSubpaths& eye() const { return eye_; }
   const LightSubpaths& light() const { return light_; }
   const LightPool& light_pool() const { return *pool_; }
+  // Of the eye subpaths.
+  const Strategy& strategy() const { return *strategy_; }
   // For choices of a plan that belong to no subpath.
   uint64_t seed() const { return seed_; }
   Four draw_eye(uint32_t sample, uint32_t vertex, Purpose purpose) { return draw(true, sample, vertex, purpose); }
@@ -90,11 +94,12 @@ class Block {
   }
   // Whether a plan may join the two: their path is not too long, and its technique takes part.
   bool allows(const Vertex& y, const Vertex& z) const {
-    return y.count + z.count - 1 <= engine_.max_edges() && engine_.allows(y.count, z.count);
+    return y.count + z.count - 1 <= engine_.max_edges() && strategy_->allows(y.count, z.count);
   }
   // The same for subpaths of one sample, which may be a chain's and then takes one technique alone.
   bool takes(uint32_t s, uint32_t t, uint32_t sample) const {
-    return s + t - 1 <= max_edges_ && engine_.allows(s, t) && (!chains_ || chains_[sample].proposes(s, t));
+    return s + t - 1 <= max_edges_ && (t >= 2 ? *strategy_ : engine_.strategy).allows(s, t) &&
+           (!chains_ || chains_[sample].proposes(s, t));
   }
   // s >= 2, t >= 2; y is one of as many as `count` says that z meets. light: what y's links point into.
   void connect(const Vertex& y, const Vertex& z, uint32_t sample, float count, const LightSubpaths& light);
@@ -110,6 +115,9 @@ class Block {
   const std::vector<Contribution>& sample_film(const std::vector<StreamPair>& streams);
   // A pilot's: so many of its passes at once, in this order: pass, row, column.
   const std::vector<Contribution>& sample_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool);
+  // The same in parts: all but the inner connections, and those, by any plan and any number of times.
+  const std::vector<Contribution>& sample_pilot_ends(uint32_t passes, const BlockRect& rect);
+  const std::vector<Contribution>& join_pilot(const Plan& plan);
   // What chains propose, each with its own technique alone: at most one contribution of each.
   const std::vector<Contribution>& sample_chains(std::vector<Chain>& chains);
 
@@ -124,6 +132,7 @@ class Block {
     Rgb throughput;   // alpha at the next vertex
     float density;    // P_A of the last vertex
     float sums;       // || u, rev v || of the last vertex
+    float outer;      // light side: the same without the techniques that join inner vertices
     float direct;
     uint32_t vertex;  // the last vertex; kNoVertex for y_0 and z_0
     uint32_t count;   // vertices so far
@@ -158,7 +167,9 @@ class Block {
   void start_light(uint32_t light, uint32_t most);
   FilmPosition spread(const Four& u) const;
   const std::vector<Contribution>& measure();
-  void join_inner();
+  // Else subpaths leave nothing behind but their front end.
+  bool keeps_vertices() const { return !engine_.running_sums || strategy_->joins_inner(); }
+  void join_inner(const Plan& plan);
   void extend();
   void trace();
   void push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from);
@@ -189,10 +200,11 @@ class Block {
   bool survives(Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, const FilmPosition& film);
   // The weight by the plain loop; y or z is nullptr where that side has fewer than two vertices.
   float path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge, PathVertex start_light,
-                    PathVertex start_eye, double direct, bool s0_exists, bool corner_exists,
-                    const LightSubpaths& light);
+                    PathVertex start_eye, double direct, bool s0_exists, bool corner_exists, const LightSubpaths& light,
+                    const Strategy& strategy);
 
   const Engine& engine_;
+  const Strategy* strategy_;  // of the eye subpaths in hand
   EyeSubpaths eye_;
   LightSubpaths light_;
   const LightPool* pool_ = nullptr;
@@ -209,6 +221,8 @@ class Block {
   std::vector<Ray> shadow_rays_;
   std::vector<Connection> connections_;
   std::vector<uint8_t> blocked_;
+  TechniqueShares shares_;                          // of the contribution in hand
+  std::vector<TechniqueShares> connection_shares_;  // of an engine that tells them
   std::vector<PathVertex> path_;
   uint64_t roulette_key_ = ~0ull;  // the vertex that played last, and how often it did before
   uint32_t roulette_number_ = 0;

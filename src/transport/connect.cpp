@@ -25,12 +25,13 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   float weight = 1;
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
-    const float edge = geometry / engine_.counts.connections;
+    const float edge = geometry / strategy_->counts.connections;
     weight = h.weight(at_z.next * edge / y.density * h.combine(y.technique, at_y.previous * y.sums),
                       at_y.next * edge / z.density * h.combine(z.technique, at_z.previous * z.sums));
   } else if (!engine_.unweighted) {
     const Edge e{at_y.next * geometry, at_z.previous * z.geometry, at_z.next * geometry, at_y.previous * y.geometry};
-    weight = path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite, light);
+    weight =
+        path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite, light, *strategy_);
   }
   c *= weight / count;
   if (is_black(c)) return;
@@ -104,8 +105,8 @@ Rgb Block::direct_contribution(const Vertex& z, const DirectLight& light) {
   if (engine_.running_sums) {
     // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
     const PowerHeuristic& h = engine_.heuristic;
-    const float density = light.density * engine_.counts.direct;
-    const float s0 = hittable ? engine_.classes.s0 * at_z.next * geometry / density : 0;
+    const float density = light.density * strategy_->counts.direct;
+    const float s0 = hittable ? strategy_->classes.s0 * at_z.next * geometry / density : 0;
     const float others = direction * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums);
     return c * h.weight(s0, others * (position / density));
   }
@@ -113,8 +114,8 @@ Rgb Block::direct_contribution(const Vertex& z, const DirectLight& light) {
   e.light_at_z = direction * geometry;
   e.light_before_z = at_z.previous * z.geometry;
   const PathVertex start{position, at_z.next * geometry, false};
-  return c *
-         path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite, light_);
+  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite,
+                         light_, *strategy_);
 }
 
 void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
@@ -122,6 +123,8 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   const Four u = draw(false, light, y.count, Purpose::Connect);
   SensorPoint z0;
   if (!engine_.sensor.sample_toward(y.p, u.u, engine_.bounds, z0)) return;
+  const Strategy& strategy = engine_.strategy_at(z0.film);
+  if (!strategy.allows(y.count, 1)) return;
   const Vec3 edge = z0.p - y.p;
   const float d2 = length_squared(edge);
   if (!(d2 > 0)) return;
@@ -135,17 +138,20 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   float weight = 1;
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
-    const float edge = geometry / engine_.counts.light;
-    weight = h.weight(z0.density_direction * edge / y.density * h.combine(y.technique, at_y.previous * y.sums),
-                      engine_.classes.t0 * at_y.next * edge / z0.density_position);
+    const float edge = geometry / strategy.counts.light;
+    const bool inner = strategy.joins_inner();
+    const float technique = inner || y.count == 2 ? y.technique : 0, sums = inner ? y.sums : y.outer;
+    weight = h.weight(z0.density_direction * edge / y.density * h.combine(technique, at_y.previous * sums),
+                      strategy.classes.t0 * at_y.next * edge / z0.density_position);
   } else if (!engine_.unweighted) {
     Edge e;
     e.eye_at_y = z0.density_direction * geometry;
     e.eye_before_y = at_y.previous * y.geometry;
     const PathVertex end{at_y.next * geometry, z0.density_position, false};
-    weight = path_weight(&y, nullptr, y.count, 1, e, {}, end, y.direct, y.start_hittable, y.start_finite, light_);
+    weight =
+        path_weight(&y, nullptr, y.count, 1, e, {}, end, y.direct, y.start_hittable, y.start_finite, light_, strategy);
   }
-  c *= weight / engine_.counts.light;
+  c *= weight / strategy.counts.light;
   if (is_black(c)) return;
   push_connection(between(off_surface(y, w), z0.p), c, light, y.count, 1, z0.film);
 }
@@ -159,6 +165,8 @@ void Block::connect_start_to_sensor(uint32_t light) {
   const Four u = draw(false, light, 1, Purpose::Connect);
   SensorPoint z0;
   if (!engine_.sensor.sample_toward(y0.p, u.u, engine_.bounds, z0)) return;
+  const Strategy& strategy = engine_.strategy_at(z0.film);
+  if (!strategy.allows(1, 1)) return;
   const Vec3 edge = z0.p - y0.p;
   const float d2 = length_squared(edge);
   if (!(d2 > 0)) return;
@@ -174,14 +182,14 @@ void Block::connect_start_to_sensor(uint32_t light) {
   const float light_at_z0 = lights.direction_density(y0, w) * geometry;
   const float eye_at_y0 = z0.density_direction * geometry;
   if (engine_.running_sums) {
-    const float s0 = y0.has_area ? engine_.classes.s0 * eye_at_y0 / start.density_position : 0;
-    const float t0 = engine_.classes.t0 * light_at_z0 / z0.density_position;
-    weight = engine_.heuristic.weight(s0 / engine_.counts.light, t0 / engine_.counts.light);
+    const float s0 = y0.has_area ? strategy.classes.s0 * eye_at_y0 / start.density_position : 0;
+    const float t0 = strategy.classes.t0 * light_at_z0 / z0.density_position;
+    weight = engine_.heuristic.weight(s0 / strategy.counts.light, t0 / strategy.counts.light);
   } else if (!engine_.unweighted) {
     weight = path_weight(nullptr, nullptr, 1, 1, {}, {start.density_position, eye_at_y0, false},
-                         {light_at_z0, z0.density_position, false}, 1, y0.has_area, true, light_);
+                         {light_at_z0, z0.density_position, false}, 1, y0.has_area, true, light_, strategy);
   }
-  c *= weight / engine_.counts.light;
+  c *= weight / strategy.counts.light;
   if (is_black(c)) return;
   const Vec3 from = off_surface(y0, w);
   push_connection(between(from, z0.p), c, light, 1, 1, z0.film);
@@ -189,7 +197,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
 
 float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,
                          PathVertex start_light, PathVertex start_eye, double direct, bool s0_exists,
-                         bool corner_exists, const LightSubpaths& light_subpaths) {
+                         bool corner_exists, const LightSubpaths& light_subpaths, const Strategy& strategy) {
   path_.resize(s + t);
   // Each subpath from its end to its start. What the connecting edge decides comes first; the rest was stored when the
   // subpath was made.
@@ -223,8 +231,9 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
     }
   }
   PathTechniques path{path_.data(),  int(path_.size()), direct, s0_exists, engine_.sensor.is_hittable(),
-                      corner_exists, engine_.counts};
-  return float(reference_weight(path, int(s), engine_.options));
+                      corner_exists, strategy.counts};
+  if (engine_.tells_shares) shares_ = balance_shares(path, int(s), strategy.techniques);
+  return float(reference_weight(path, int(s), engine_.options, strategy.techniques));
 }
 
 }  // namespace bdpt

@@ -23,18 +23,20 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   for (uint32_t& row : options.techniques.rows)
     if (!sensor.is_hittable()) row &= ~1u;
   if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
-  for (int s = 0; s < 32; ++s)
-    for (int t = 0; t < 32; ++t)
-      if (!plan.serves(s, t)) options.techniques.rows[size_t(s)] &= ~(1u << t);
 
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
   if (options.connections == 0) options.connections = plan.default_connections;
   const bool structured = set_counts(1);
   unweighted = options.heuristic == Heuristic::None;
   running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
+  limit_subpaths();
+  if (options.shadow_roulette == Roulette::Fixed) roulette.set_fixed(options.shadow_threshold);
+}
 
+// How long subpaths can be, by the techniques that take part.
+void Engine::limit_subpaths() {
   const uint32_t k = options.max_edges > 0 ? uint32_t(options.max_edges) : kUnlimited;
-  const TechniqueMask& mask = options.techniques;
+  const TechniqueMask& mask = strategy.techniques;
   max_eye = max_light = 0;
   for (uint32_t s = 0; s < 32; ++s)
     for (uint32_t t = 0; t < 32; ++t) {
@@ -46,13 +48,49 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   hit_sensor = false;
   for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
   if (scene.lights().empty()) max_eye = max_light = 0;
-  if (options.shadow_roulette == Roulette::Fixed) roulette.set_fixed(options.shadow_threshold);
 }
 
 bool Engine::set_counts(double light_vertices) {
-  counts = plan.counts(options, light_vertices);
-  counts.direct = float(options.direct_samples);
-  return TechniqueClasses::from_mask(options.techniques, counts, classes);
+  strategy = make_strategy(plan, options, light_vertices);
+  return TechniqueClasses::from_mask(strategy.techniques, strategy.counts, strategy.classes);
+}
+
+Strategy Engine::make_strategy(const Plan& p, const TransportOptions& counts, double light_vertices) const {
+  Strategy result;
+  result.plan = &p;
+  result.techniques = options.techniques;
+  for (int s = 0; s < 32; ++s)
+    for (int t = 0; t < 32; ++t)
+      if (!p.serves(s, t)) result.techniques.rows[size_t(s)] &= ~(1u << t);
+  result.counts = p.counts(counts, light_vertices);
+  result.counts.direct = float(options.direct_samples);
+  TechniqueClasses::from_mask(result.techniques, result.counts, result.classes);
+  return result;
+}
+
+float Engine::share(const Plan& p) const {
+  if (!map) return 0;
+  uint64_t pixels = 0;
+  for (int row = 0; row < map->tiles.rows(); ++row)
+    for (int column = 0; column < map->tiles.columns(); ++column) {
+      const SampleBounds tile = map->tiles.pixels(column, row);
+      if (map->at({float(tile.x0), float(tile.y0)}).plan == &p) pixels += tile.count();
+    }
+  return float(double(pixels) / double(bounds.count()));
+}
+
+void Engine::choose(StrategyMap chosen) {
+  map = std::move(chosen);
+  options.light_samples = map->light_samples;
+  options.connections = std::max(1, map->light_samples);
+  // All that any tile does.
+  strategy = map->strategies[0];
+  for (const Strategy& s : map->strategies) {
+    for (size_t row = 0; row < 32; ++row) strategy.techniques.rows[row] |= s.techniques.rows[row];
+    strategy.counts.connections = std::max(strategy.counts.connections, s.counts.connections);
+  }
+  TechniqueClasses::from_mask(strategy.techniques, strategy.counts, strategy.classes);
+  limit_subpaths();
 }
 
 FilmRecipe Engine::recipe() const {

@@ -9,8 +9,9 @@
 #include "transport/options.h"
 #include "transport/shadow_roulette.h"
 #include "transport/stats.h"
+#include "transport/strategy.h"
 
-#include <vector>
+#include <optional>
 
 namespace bdpt {
 
@@ -36,9 +37,10 @@ struct Engine {
 
   // What follows from the options.
   const Plan& plan;
-  SampleCounts counts;
-  TechniqueClasses classes;
-  bool running_sums;  // else reference_weight()
+  Strategy strategy;               // of all the image; where tiles have their own, all that any of them does
+  std::optional<StrategyMap> map;  // of plans that choose by tiles, once they have chosen
+  bool running_sums;               // else reference_weight()
+  bool tells_shares = false;       // kept contributions know of Contribution::shares
   PowerHeuristic heuristic;
   bool unweighted;
   uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced
@@ -48,17 +50,23 @@ struct Engine {
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
-  bool allows(uint32_t s, uint32_t t) const { return options.techniques.allows(int(s), int(t)); }
-  // Else subpaths leave nothing behind but their front end.
-  bool keeps_vertices() const { return !running_sums || classes.inner > 0; }
+  bool allows(uint32_t s, uint32_t t) const { return strategy.allows(s, t); }
+  const Strategy& strategy_at(const FilmPosition& film) const { return map ? map->at(film) : strategy; }
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool
   uint64_t samples_per_pass() const { return bounds.count(); }
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
   FilmRecipe recipe() const;
-  // For plans whose counts depend on what a pilot finds.
-  // True if the mask says the same within each class of techniques.
+  // For plans whose counts depend on what a pilot finds. True if the mask says the same within each class.
   bool set_counts(double light_vertices);
+  // The part of the image whose tiles chose a plan; 0 where tiles have no choice.
+  float share(const Plan& plan) const;
+  // What tiles do from now on. No sample may be under way.
+  void choose(StrategyMap map);
+  // For pilots: balance_shares() of all contributions.
+  void tell_shares() { tells_shares = true, running_sums = false; }
+  // A strategy of this engine's techniques for a plan, with other counts.
+  Strategy make_strategy(const Plan& plan, const TransportOptions& counts, double light_vertices = 1) const;
 
   // The streams of random numbers of eye or light subpath `number` of a pass. Passes fall into independently scrambled
   // groups; an eye subpath's points belong to its pixel, a light subpath's to the whole pass.
@@ -71,6 +79,9 @@ struct Engine {
   }
   // Film position and lens of an eye subpath: {x in pixel, y in pixel, lens, lens}.
   Four draw_film(const Stream& stream, uint64_t pass, uint64_t number) const;
+
+ private:
+  void limit_subpaths();
 };
 
 }  // namespace bdpt

@@ -31,7 +31,7 @@ void Block::extend() {
     }
     connect_ends();
     // A walker carries all that its weights need: a plan that joins no inner vertices has no use for them.
-    if (!engine_.keeps_vertices()) eye_.vertices.clear(), light_.vertices.clear();
+    if (!keeps_vertices()) eye_.vertices.clear(), light_.vertices.clear();
   }
   shadow();
 }
@@ -65,7 +65,7 @@ void Block::trace() {
 // u_i of mis.h, for the technique that would join this vertex to the one before it.
 float Block::technique(const Walker& w, const Vertex& v) const {
   if (w.specular || v.specular) return 0;
-  const TechniqueClasses& c = engine_.classes;
+  const TechniqueClasses& c = (w.eye ? *strategy_ : engine_.strategy).classes;
   if (w.count > 1) return c.inner;
   return w.eye ? c.t1 : c.s1 * v.direct;
 }
@@ -89,6 +89,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.geometry = geometry;
   v.ns = surface.ns;
   v.sums = geometry / w.density * w.sums;
+  v.outer = geometry / w.density * w.outer;
   v.previous = -w.direction;
   v.tangent = surface.tangent;
   v.previous_cosine_g = -dot(v.ng, w.direction);
@@ -154,7 +155,7 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
   float weight = 1;
   if (engine_.running_sums) {
     // u_1 is that of s = 1 here, seen from the eye: P_A^d(x_0) takes the place of P_A(x_0).
-    const TechniqueClasses& c = engine_.classes;
+    const TechniqueClasses& c = strategy_->classes;
     const float count = w.specular || (corner && x0.infinite) ? 0 : corner ? c.corner : c.s1;
     weight = engine_.heuristic.weight(
         0, engine_.heuristic.combine(count * direct, position * direction * z.sums) / z.density);
@@ -163,7 +164,7 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
     edge.light_at_z = position;
     edge.light_before_z = direction * z.geometry;
     weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true,
-                         !x0.infinite, light_);
+                         !x0.infinite, light_, *strategy_);
   }
   add_eye(w.sample, 0, z.count, w.throughput * radiance * weight);
 }
@@ -176,6 +177,8 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   if (!takes(s, 0, w.sample)) return;
   SensorPoint z0;
   if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
+  const Strategy& strategy = engine_.strategy_at(z0.film);
+  if (!strategy.allows(s, 0)) return;
   const float cosine = absdot(z0.normal, w.direction);
   const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
   const float density = w.projected * geometry;
@@ -183,9 +186,9 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   const bool corner = w.count == 1;
   float weight = 1;
   if (engine_.running_sums) {
-    const TechniqueClasses& c = engine_.classes;
+    const TechniqueClasses& c = strategy.classes;
     const float count = w.specular ? 0 : corner ? c.corner : c.t1;
-    const float sums = geometry / w.density * w.sums;
+    const float sums = geometry / w.density * (strategy.joins_inner() ? w.sums : w.outer);
     weight = engine_.heuristic.weight(
         z0.density_position / (density * c.t0) * engine_.heuristic.combine(count, z0.density_direction * sums), 0);
   } else if (!engine_.unweighted) {
@@ -197,9 +200,9 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
     Edge edge;
     edge.eye_at_y = z0.density_position;
     edge.eye_before_y = z0.density_direction * geometry;
-    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite, light_);
+    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite, light_, strategy);
   }
-  add_light(w.sample, z0.film, s, 0, w.throughput * (z0.importance * weight / engine_.counts.light));
+  add_light(w.sample, z0.film, s, 0, w.throughput * (z0.importance * weight / strategy.counts.light));
 }
 
 void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
@@ -237,6 +240,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.density = v.density;
   const float reverse = b.density_reverse / std::fabs(gp);
   n.sums = engine_.heuristic.combine(v.technique, reverse * v.sums);
+  if (!w.eye && engine_.map) n.outer = engine_.heuristic.combine(v.count == 2 ? v.technique : 0, reverse * v.outer);
   n.direct = v.direct;
   n.vertex = index;
   n.count = v.count;

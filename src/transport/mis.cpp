@@ -32,9 +32,8 @@ bool exists(const PathTechniques& path, const TechniqueMask& mask, int i) {
   return !path.vertices[i - 1].specular && !path.vertices[i].specular;
 }
 
-}  // namespace
-
-double reference_weight(const PathTechniques& path, int s, const TransportOptions& options) {
+// n_i p_i in units of p_s.
+std::vector<double> densities(const PathTechniques& path, int s, const TechniqueMask& mask) {
   const int techniques = path.count + 1;
   // p_i relative to p_s, up and down from s by (10.9), before the corrections for single techniques.
   std::vector<double> p(size_t(path.count) + 1, 1.0);
@@ -44,7 +43,14 @@ double reference_weight(const PathTechniques& path, int s, const TransportOption
   // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
   if (techniques > 2 && path.count > 2) p[1] *= path.direct;
   for (int i = 0; i < techniques; ++i)
-    p[size_t(i)] *= exists(path, options.techniques, i) ? double(path.counts.of(i, techniques - 1 - i)) : 0;
+    p[size_t(i)] *= exists(path, mask, i) ? double(path.counts.of(i, techniques - 1 - i)) : 0;
+  return p;
+}
+
+}  // namespace
+
+double reference_weight(const PathTechniques& path, int s, const TransportOptions& options, const TechniqueMask& mask) {
+  std::vector<double> p = densities(path, s, mask);
   const double own = p[size_t(s)];
   if (!(own > 0)) return 0;
   for (double& v : p) v /= own;
@@ -71,6 +77,21 @@ double reference_weight(const PathTechniques& path, int s, const TransportOption
       return 1;
   }
   return 0;
+}
+
+TechniqueShares balance_shares(const PathTechniques& path, int s, const TechniqueMask& mask) {
+  const std::vector<double> p = densities(path, s, mask);
+  double eye = 0, light = 0, all = 0;
+  for (int i = 0; i <= path.count; ++i) {
+    const int t = path.count - i;
+    const double v = p[size_t(i)];
+    all += v;
+    if (t <= 1)
+      light += v;
+    else if (i <= 1)
+      eye += v;
+  }
+  return {float(eye / all), float(light / all)};
 }
 
 }  // namespace bdpt

@@ -88,6 +88,16 @@ struct PathTechniques {
   bool s0_exists = true, t0_exists = true, corner_exists = true;
   SampleCounts counts{};
 };
-double reference_weight(const PathTechniques& path, int s, const TransportOptions& options);
+double reference_weight(const PathTechniques& path, int s, const TransportOptions& options, const TechniqueMask& mask);
+inline double reference_weight(const PathTechniques& path, int s, const TransportOptions& options) {
+  return reference_weight(path, s, options, options.techniques);
+}
+
+// What the balance heuristic gives to the techniques of a path, by kinds; the rest is that of inner connections.
+struct TechniqueShares {
+  float eye = 0, light = 0;  // s <= 1 and t >= 2; t <= 1
+};
+// s: the technique that the path came by.
+TechniqueShares balance_shares(const PathTechniques& path, int s, const TechniqueMask& mask);
 
 }  // namespace bdpt

@@ -21,7 +21,7 @@ const std::vector<Contribution>& Block::measure() {
   keeps_ = true;
   kept_.clear();
   extend();
-  join_inner();
+  join_inner(*strategy_->plan);
   keeps_ = false;
   return kept_;
 }
@@ -39,6 +39,24 @@ const std::vector<Contribution>& Block::sample_pilot(uint32_t passes, const Bloc
   seed_ = hash_values(engine_.seed, 5, kPilotPass, rect.x0, rect.y0);
   start_pixels(kPilotPass, passes, rect);
   return measure();
+}
+
+const std::vector<Contribution>& Block::sample_pilot_ends(uint32_t passes, const BlockRect& rect) {
+  seed_ = hash_values(engine_.seed, 5, kPilotPass, rect.x0, rect.y0);
+  start_pixels(kPilotPass, passes, rect);
+  keeps_ = true;
+  kept_.clear();
+  extend();
+  keeps_ = false;
+  return kept_;
+}
+
+const std::vector<Contribution>& Block::join_pilot(const Plan& plan) {
+  keeps_ = true;
+  kept_.clear();
+  join_inner(plan);
+  keeps_ = false;
+  return kept_;
 }
 
 const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair>& streams) {

@@ -4,9 +4,9 @@
 
 namespace bdpt {
 
-extern const Plan kOneToOne, kTwoWay, kPooled, kMatrix, kCombinatorial, kMmlt;
+extern const Plan kOneToOne, kTwoWay, kPooled, kMatrix, kCombinatorial, kMmlt, kAutomatic;
 
-const Plan* const kPlans[] = {&kOneToOne, &kTwoWay, &kPooled, &kMatrix, &kCombinatorial, &kMmlt, nullptr};
+const Plan* const kPlans[] = {&kOneToOne, &kTwoWay, &kPooled, &kMatrix, &kCombinatorial, &kMmlt, &kAutomatic, nullptr};
 
 const Plan* find_plan(const char* name) {
   for (const Plan* const* p = kPlans; *p; ++p)

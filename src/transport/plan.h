@@ -26,8 +26,11 @@ struct Plan {
   uint64_t passes = 1;          // passes that a block takes at once, unless pool_passes says otherwise
   bool chains = false;     // of paths: a path must be what its numbers say, so that there is one of everything, one
                            // light subpath, one point on lights, and no roulette of shadow rays
+  bool chooses = false;    // tiles get strategies of their own, of other plans
   uint32_t in_flight = 0;  // samples that a block has in hand at once; 0 = all of its own
 };
+
+extern const Plan kPath;  // path tracing as a strategy of tiles; no plan to ask for
 
 // Ends with nullptr.
 extern const Plan* const kPlans[];

@@ -38,6 +38,7 @@ struct Vertex {
   const Material* material;
   uint32_t previous_index;  // in the block's vertices of this side; kNoVertex for y_1 and z_1
   float previous_density;   // P_A of the previous vertex, as its own side samples it
+  float outer;              // light side: v_i without the techniques that join inner vertices
   float direct;             // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
   float previous_cosine_g;  // of previous with ng
   float previous_cosine_s;  // of previous with ns

@@ -43,6 +43,15 @@ void write_work(JsonWriter& json, const bdpt_render_stats& stats) {
     json.value("mutations", stats.mutations);
     json.value("accepted", stats.accepted);
   }
+  json.value("light_samples", std::uint64_t(stats.light_samples));
+  if (stats.share_path + stats.share_two_way + stats.share_one_to_one + stats.share_matrix > 0) {
+    json.open("strategies");
+    json.value("path", stats.share_path);
+    json.value("two-way", stats.share_two_way);
+    json.value("one-to-one", stats.share_one_to_one);
+    json.value("matrix", stats.share_matrix);
+    json.close();
+  }
   json.open("thread_seconds");
   json.value("start", stats.seconds_start);
   json.value("extend", stats.seconds_extend);

@@ -62,7 +62,8 @@ void connect(Block& block) {
   order_subpaths(block.light(), scene, engine.options.order, columns);
   for (uint32_t t = 2; t < rows.size(); ++t)
     for (uint32_t s = 2; s < columns.size(); ++s) {
-      if (rows[t].empty() || columns[s].empty() || s + t - 1 > engine.max_edges() || !engine.allows(s, t)) continue;
+      if (rows[t].empty() || columns[s].empty() || s + t - 1 > engine.max_edges() || !block.strategy().allows(s, t))
+        continue;
       join(block, rows[t], columns[s], hash_values(block.seed(), s, t));
     }
 }

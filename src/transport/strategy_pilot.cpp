@@ -1,0 +1,177 @@
+#include "transport/strategy_pilot.h"
+
+#include "sampling/hash.h"
+#include "transport/plan.h"
+
+namespace bdpt {
+
+namespace {
+
+// Of each tile so many pixels a side, so often that small images have enough samples, too.
+constexpr int kSide = 2;
+constexpr uint32_t kFewestPasses = 4, kMostPasses = 64, kFewestSamples = 2048;
+
+// Costs, in rays that extend an eye subpath: by least squares over the times of scenes (docs/plans.md). An end's shadow
+// ray comes with the connections that were weighed for it in vain.
+constexpr double kLightRay = 1.3, kEnd = 0.9, kShadowRay = 0.6, kConnection = 0.2, kMatrixConnection = 0.4;
+
+TransportOptions pilot_options(const TransportOptions& wanted) {
+  TransportOptions options = wanted;
+  options.plan = find_plan("one-to-one");
+  options.heuristic = Heuristic::Balance;
+  options.light_samples = 1;
+  options.connections = 1;
+  options.direct_candidates = 1;
+  options.shadow_roulette = Roulette::None;
+  return options;
+}
+
+// W_A of the shares of a path.
+double part(const Candidate& a, const TechniqueShares& shares) {
+  const double n = a.light_samples;
+  const double inner =
+      a.join == Join::Path || a.join == Join::TwoWay ? 0 : 1 - double(shares.eye) - double(shares.light);
+  return double(shares.eye) + n * (double(shares.light) + std::max(0.0, inner));
+}
+
+// The contributions of a sample with one strategy.
+struct SampleSums {
+  double ends = 0, own = 0, matrix = 0;                          // sums: s <= 1; inner, by either join
+  double ends_squares = 0, own_squares = 0, matrix_squares = 0;  // of their terms
+  double moment = 0;
+};
+
+}  // namespace
+
+StrategyPilot::StrategyPilot(const Engine& engine)
+    : engine_(engine.scene, engine.sensor, engine.film, pilot_options(engine.options), engine.seed),
+      target_(engine),
+      tiles_(engine.bounds),
+      passes_(std::clamp(uint32_t(kFewestSamples / (kSide * kSide * tiles_.count())), kFewestPasses, kMostPasses)),
+      measures_(tiles_.count()),
+      light_(size_t(tiles_.rows())) {
+  engine_.tell_shares();
+}
+
+TransportStats StrategyPilot::run(uint32_t row) {
+  Block block(engine_);
+  LightImage& light = light_[row];
+  light.squares.resize(tiles_.count());
+  light.sums.resize(tiles_.count());
+  for (int column = 0; column < tiles_.columns(); ++column) run_tile(block, column, int(row), light);
+  return block.take_stats();
+}
+
+void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& light) {
+  const SampleBounds r = tiles_.pixels(column, row);
+  TileMeasure& tile = measures_[size_t(row) * size_t(tiles_.columns()) + size_t(column)];
+  tile.pixels = double(r.count());
+  const int w = std::min(kSide, r.x1 - r.x0), h = std::min(kSide, r.y1 - r.y0);
+  const uint64_t place = hash_values(engine_.seed, 9, row, column);
+  const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
+  const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
+  const size_t pixels = size_t(w) * size_t(h), samples = pixels * passes_;
+
+  std::vector<std::array<SampleSums, kCandidates.size()>> sums(samples);
+  const auto add = [&](const Contribution& c, double SampleSums::*sum, double SampleSums::*squares, double moment) {
+    const double v = double(norm(c.value));
+    for (size_t a = 0; a < kCandidates.size(); ++a) {
+      const double share = part(kCandidates[a], c.shares);
+      SampleSums& s = sums[c.sample][a];
+      s.moment += moment * v * v / share;
+      if (c.s >= 2 && kCandidates[a].join < Join::OneToOne) continue;
+      s.*sum += v / share;
+      s.*squares += v * v / (share * share);
+    }
+  };
+
+  // Ends.
+  const TransportStats before = block.stats();
+  const auto shadow_rays = [&] {
+    double direct = 0;
+    for (uint32_t t = 2; t < 32; ++t) direct += double(block.techniques().at(1, t).shadow_rays);
+    return direct;
+  };
+  const double direct_before = shadow_rays();
+  for (const Contribution& c : block.sample_pilot_ends(passes_, {x, y, x + w, y + h})) {
+    // Lights seen directly are the same to all, and so bright that a tile's mean says nothing of them.
+    if (c.s + c.t == 2) continue;
+    const double v = double(norm(c.value));
+    if (c.t >= 2) {
+      tile.mean += v / double(samples);
+      add(c, &SampleSums::ends, &SampleSums::ends_squares, 1);
+      continue;
+    }
+    const size_t there = tiles_.tile(c.film);
+    light.sums[there] += v;
+    for (size_t a = 0; a < kCandidates.size(); ++a) light.squares[there][a] += v * v / part(kCandidates[a], c.shares);
+  }
+  const TransportStats ends = block.stats();
+  const double direct = shadow_rays() - direct_before;
+  const double light_rays = double(ends.light_rays - before.light_rays);
+  const double light_shadows = double(ends.shadow_rays - before.shadow_rays) - direct;
+  light.cost += kLightRay * light_rays + kEnd * light_shadows;
+  light.subpaths += double(samples);
+  const double path = double(ends.eye_rays - before.eye_rays) + kEnd * direct;
+
+  // Inner connections, one half of their moment from either join.
+  for (const Contribution& c : block.join_pilot(*find_plan("one-to-one"))) {
+    tile.mean += 0.5 * double(norm(c.value)) / double(samples);
+    add(c, &SampleSums::own, &SampleSums::own_squares, 0.5);
+  }
+  const TransportStats own = block.stats();
+  for (const Contribution& c : block.join_pilot(*find_plan("matrix"))) {
+    tile.mean += 0.5 * double(norm(c.value)) / double(samples);
+    add(c, &SampleSums::matrix, &SampleSums::matrix_squares, 0.5);
+  }
+  const TransportStats matrix = block.stats();
+  const double own_cost = kShadowRay * double(own.shadow_rays - ends.shadow_rays) +
+                          kConnection * double(own.connections - ends.connections);
+  const double matrix_cost = kShadowRay * double(matrix.shadow_rays - own.shadow_rays) +
+                             kMatrixConnection * double(matrix.connections - own.connections);
+
+  for (size_t a = 0; a < kCandidates.size(); ++a) {
+    const Candidate& candidate = kCandidates[a];
+    const double n = candidate.light_samples;
+    double second = 0, mean_squares = 0;
+    for (size_t pixel = 0; pixel < pixels; ++pixel) {
+      double sum = 0, squares = 0;
+      for (size_t i = pixel; i < samples; i += pixels) {
+        const SampleSums& s = sums[i][a];
+        const bool is_matrix = candidate.join == Join::Matrix;
+        const double inner = is_matrix ? s.matrix : s.own, inner_squares = is_matrix ? s.matrix_squares : s.own_squares;
+        // Pairs of different contributions: of the ends, of ends and inner ones, of one light subpath, of two.
+        second += s.moment + s.ends * s.ends - s.ends_squares + 2 * n * s.ends * inner +
+                  n * (inner * inner - inner_squares) + n * (n - 1) * s.own * s.matrix;
+        const double value = s.ends + n * inner;
+        sum += value, squares += value * value;
+      }
+      mean_squares += (sum * sum - squares) / (double(passes_) * double(passes_ - 1));
+    }
+    tile.variance[a] = second / double(samples) - mean_squares / double(pixels);
+    tile.cost[a] = (path + (candidate.join == Join::OneToOne ? n * own_cost
+                            : candidate.join == Join::Matrix ? n * matrix_cost
+                                                             : 0)) /
+                   double(samples);
+  }
+}
+
+std::vector<TileMeasure> StrategyPilot::measures(double& light_cost) const {
+  std::vector<TileMeasure> measures = measures_;
+  double subpaths = 0;
+  light_cost = 0;
+  for (const LightImage& light : light_) light_cost += light.cost, subpaths += light.subpaths;
+  light_cost /= subpaths;
+  for (size_t i = 0; i < measures.size(); ++i) {
+    TileMeasure& tile = measures[i];
+    // The light subpaths of a pass for one of the pilot's.
+    const double scale = double(engine_.samples_per_pass()) / subpaths / tile.pixels;
+    for (const LightImage& light : light_) {
+      tile.mean += scale * light.sums[i];
+      for (size_t a = 0; a < kCandidates.size(); ++a) tile.variance[a] += scale * light.squares[i][a];
+    }
+  }
+  return measures;
+}
+
+}  // namespace bdpt
