@@ -664,9 +664,10 @@ typedef struct bdpt_render_desc {
   const char *plan;             /* name of a connection plan, see bdpt_plan_name; NULL = "one-to-one" */
   uint32_t connections;         /* m: light vertices that each eye vertex meets (pooled; matrix: of each length),
                                    [1,1024]; 0 = the plan's own number, and all that other plans take */
-  uint32_t light_samples;       /* light subpaths for each eye subpath, [1,1024]; 0 = 1, and all that mmlt takes */
-  uint32_t pool_passes;         /* matrix, mmlt: passes rendered at once, [1,64]; 0 = 8 (mmlt: 16). first_pass and the
-                                   number of passes must be multiples of it */
+  uint32_t light_samples;       /* light subpaths for each eye subpath, [1,1024]; 0 = 1, and all that mmlt and automatic
+                                   take */
+  uint32_t pool_passes;         /* matrix, mmlt, automatic: passes rendered at once, [1,64]; 0 = 8 (mmlt: 16).
+                                   first_pass and the number of passes must be multiples of it */
   bdpt_order order;             /* matrix: how subpaths are put in order */
   bdpt_partners partners;       /* matrix: how light subpaths are chosen in that order */
   bdpt_shadow_roulette shadow_roulette;
@@ -689,6 +690,10 @@ typedef struct bdpt_render_desc {
  *                of pool_passes passes in a square of 1024 pixels; a pass has as many mutations as it has pixels. Chains
  *                measure all over the film, so that its image is normalised by the number of samples, whatever the
  *                film's normalization. Unbiased; to compare with
+ * automatic      path tracing, two-way, one-to-one or matrix in each square of 16 x 16 pixels, and 0, 1, 2 or 4 light
+ *                subpaths for each eye subpath all over the image, as a short pilot at the start of the first call
+ *                advises. All passes of a seed have the same choice; bdpt_render_stats tells it. As without bias as the
+ *                other plans: what does not find all paths of this scene is not chosen
  * Returns: the name of plan number `index`, and a line about it; NULL past the last. Threads: any thread.
  * Callbacks: allowed. Ownership: the library's, for ever. */
 BDPT_API const char *bdpt_plan_name(uint32_t index);

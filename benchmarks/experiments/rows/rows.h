@@ -33,6 +33,7 @@ void own_triangles(Report& report);
 void own_pixels(Report& report);
 void own_threads(Report& report);
 void own_length(Report& report);
+void own_automatic(Report& report);
 void own_plans(Report& report);
 
 }  // namespace bdpt_experiments
