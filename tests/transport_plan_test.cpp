@@ -162,7 +162,7 @@ TEST(TransportPlan, NamesAreUniqueAndFound) {
     EXPECT_EQ(find_plan(plan_at(count)->name), plan_at(count));
     EXPECT_STRNE(plan_at(count)->summary, "");
   }
-  EXPECT_EQ(count, 6u);
+  EXPECT_EQ(count, 7u);
   EXPECT_EQ(find_plan("no such plan"), nullptr);
   EXPECT_STREQ(plan_at(0)->name, "one-to-one");
 }

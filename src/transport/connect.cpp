@@ -139,8 +139,8 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
     const float edge = geometry / strategy.counts.light;
-    const bool inner = strategy.joins_inner();
-    const float technique = inner || y.count == 2 ? y.technique : 0, sums = inner ? y.sums : y.outer;
+    const bool outer = engine_.uses_outer(strategy);
+    const float technique = outer && y.count > 2 ? 0 : y.technique, sums = outer ? y.outer : y.sums;
     weight = h.weight(z0.density_direction * edge / y.density * h.combine(technique, at_y.previous * sums),
                       strategy.classes.t0 * at_y.next * edge / z0.density_position);
   } else if (!engine_.unweighted) {

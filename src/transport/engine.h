@@ -51,6 +51,9 @@ struct Engine {
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
   bool allows(uint32_t s, uint32_t t) const { return strategy.allows(s, t); }
+  // Whether a splat there takes the light subpath's sums without inner techniques. Where all tiles are alike the sums
+  // know already.
+  bool uses_outer(const Strategy& there) const { return map && !there.joins_inner(); }
   const Strategy& strategy_at(const FilmPosition& film) const { return map ? map->at(film) : strategy; }
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool

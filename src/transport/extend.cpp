@@ -188,7 +188,7 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   if (engine_.running_sums) {
     const TechniqueClasses& c = strategy.classes;
     const float count = w.specular ? 0 : corner ? c.corner : c.t1;
-    const float sums = geometry / w.density * (strategy.joins_inner() ? w.sums : w.outer);
+    const float sums = geometry / w.density * (engine_.uses_outer(strategy) ? w.outer : w.sums);
     weight = engine_.heuristic.weight(
         z0.density_position / (density * c.t0) * engine_.heuristic.combine(count, z0.density_direction * sums), 0);
   } else if (!engine_.unweighted) {
