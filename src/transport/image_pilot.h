@@ -23,6 +23,8 @@ class ImagePilot {
 
   const RegionGrid& grid() const { return grid_; }
   std::vector<RegionMeasure> measures() const;
+  // Of the eye samples alone, t >= 2; rays: of one more eye sample, with the light subpaths that it brings.
+  const std::vector<RegionMeasure>& eye_measures() const { return regions_; }
 
  private:
   const Engine& engine_;
