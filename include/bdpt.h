@@ -626,13 +626,12 @@ typedef int32_t bdpt_shadow_roulette;
 
 typedef int32_t bdpt_adaptive;
 #define BDPT_ADAPTIVE_NONE 0       /* one eye sample of each pixel in each pass */
-#define BDPT_ADAPTIVE_TWO_STAGES 1 /* Veach (1997), 10.3.6: more where eye samples are noisier in relation to the picture,
-                                      fewer where they are not, as many in all: a pixel gets r of them in a pass, in the
-                                      mean, r in quarters from 1/4 to 4, and each counts 1/r times. Regions of the image
-                                      get their r from a pilot of some thousand samples at the start of the first call
-                                      of bdpt_render_advance, before any sample is taken; so the image is as unbiased
-                                      as without. The first pixels may be empty until four passes are done; best in
-                                      multiples of four times the film's groups */
+#define BDPT_ADAPTIVE_TWO_STAGES 1 /* Veach (1997), 10.3.6: as many in all, but more of them where they are noisy in relation
+                                      to the picture: a pixel gets r in a pass, in the mean, r in quarters from 1/2 to 4,
+                                      and each counts 1/r times. A pilot of some thousand samples at the start of the
+                                      first call of bdpt_render_advance finds r for each region of the image, before any
+                                      sample is taken: no bias. In one pass alone some pixels get none; it is at its
+                                      best in multiples of four passes for each of the film's groups */
 
 typedef int32_t bdpt_light_start;
 #define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */

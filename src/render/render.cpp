@@ -241,8 +241,7 @@ bool Render::run_pilot(Call& call) {
   pilot.finish_pool();
   if (!run_blocks(call, pilot.row_tasks(), [&](Block& block, uint32_t i) { pilot.run_row(block, i); })) return false;
   const std::vector<RegionMeasure> measures = pilot.measures();
-  if (engine_->options.shadow_roulette == Roulette::Efficiency)
-    engine_->roulette.set_efficient(pilot.grid(), measures);
+  if (engine_->options.shadow_roulette == Roulette::Efficiency) engine_->roulette.set_efficient(pilot.grid(), measures);
   if (engine_->options.adaptive == Adaptive::TwoStages)
     engine_->set_rates(pilot.grid(), pilot.eye_measures(), measures);
   return true;

@@ -193,7 +193,8 @@ void Block::shadow() {
 
 void Block::accumulate() {
   StageTimer timer(stats_.accumulate);
-  for (size_t i = 0; i < eye_sums_.size(); ++i) engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i], eye_weights_[i]);
+  for (size_t i = 0; i < eye_sums_.size(); ++i)
+    engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i], eye_weights_[i]);
 }
 
 void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution) {
@@ -275,8 +276,7 @@ size_t Block::memory() const {
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
          arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * (sizeof(Rgb) + sizeof(float)) +
-         pixel_samples_.capacity() * sizeof(PixelSample) +
-         kept_.capacity() * sizeof(Contribution);
+         pixel_samples_.capacity() * sizeof(PixelSample) + kept_.capacity() * sizeof(Contribution);
 }
 
 }  // namespace bdpt

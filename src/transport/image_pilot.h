@@ -27,9 +27,11 @@ class ImagePilot {
   const std::vector<RegionMeasure>& eye_measures() const { return regions_; }
 
  private:
+  void measure_square(Block& block, const BlockRect& square, uint32_t row, RegionMeasure& region);
+
   const Engine& engine_;
   RegionGrid grid_;
-  uint32_t passes_;
+  uint32_t passes_, squares_;
   LightPool pool_;
   std::vector<RegionMeasure> regions_;             // the eye's part
   std::vector<std::vector<RegionMeasure>> light_;  // the light image's part, by tasks

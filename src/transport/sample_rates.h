@@ -1,6 +1,6 @@
-// Adaptive sampling of the image plane (Veach 10.3.6), in two stages, so that no sample has a say in how many there are:
-// a pilot (image_pilot.h) first tells each region its rate r, the number of eye samples that a pixel gets in a pass, in
-// the mean. A sample then weighs 1 / r.
+// Adaptive sampling of the image plane (Veach 10.3.6), in two stages, so that no sample has a say in how many there
+// are: a pilot (image_pilot.h) first tells each region its rate r, the number of eye samples that a pixel gets in a
+// pass, in the mean. A sample then weighs 1 / r.
 //
 // A sample brings its light subpaths with it, as ever. They may hit any pixel, and weigh one over the mean of r.
 #pragma once
@@ -14,8 +14,9 @@ namespace bdpt {
 
 class SampleRates {
  public:
-  // Rates are multiples of a quarter, from 1/4 to 4: after four passes of a group every pixel has r times as many.
-  static constexpr int kParts = 4, kMost = 4;
+  // Rates are multiples of a quarter, from 1/2 to 4: after four passes of a group every pixel has r times as many. What
+  // the pilot missed has at most twice the variance.
+  static constexpr int kParts = 4, kLeastParts = 2, kMost = 4;
 
   bool are_set() const { return !parts_.empty(); }
   // eye: what can be gained by eye samples, and what one costs; all: what the error is measured against.
@@ -37,7 +38,7 @@ class SampleRates {
 
  private:
   uint64_t parts(int x, int y) const { return parts_[grid_.region({float(x), float(y)})]; }
-  // Which of four passes of a group a pixel of rate 1/4 is sampled in: another for each of 2 x 2 pixels and four groups.
+  // The fractions of 2 x 2 pixels, and of four groups, reach a whole in turn.
   uint64_t phase(uint64_t group, int x, int y) const {
     constexpr uint64_t kOrder[] = {0, 2, 3, 1};
     return (phase_ + kOrder[group % 4] + kOrder[(x & 1) + 2 * (y & 1)]) % kParts;
