@@ -28,7 +28,7 @@ void SampleRates::set(const RegionGrid& grid, const std::vector<RegionMeasure>& 
   const double most = *std::max_element(gain.begin(), gain.end());  // none at all: all alike
   for (double& g : gain) g = most > 0 ? std::max(g, 1e-12 * most) : 1;
 
-  // The scale for which the mean is one.
+  // The scale for which the mean is one, or nearest to it.
   const auto rates = [&](double scale) {
     double parts = 0;
     parts_.resize(grid.count());
@@ -44,7 +44,8 @@ void SampleRates::set(const RegionGrid& grid, const std::vector<RegionMeasure>& 
     const double middle = 0.5 * (low + high);
     (rates(std::exp2(middle)) < 1 ? low : high) = middle;
   }
-  rates(std::exp2(high));
+  const double less = 1 - rates(std::exp2(low)), more = rates(std::exp2(high)) - 1;
+  if (less < more) rates(std::exp2(low));
 }
 
 }  // namespace bdpt
