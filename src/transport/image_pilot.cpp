@@ -92,14 +92,15 @@ std::vector<RegionMeasure> ImagePilot::measures() const {
       const RegionGrid::Rect r = grid_.rect(column, row);
       pixels += uint64_t(std::min(kSide, r.x1 - r.x0)) * uint64_t(std::min(kSide, r.y1 - r.y0));
     }
-  // The light subpaths of a pass for one of the pilot's.
+  // The light subpaths of a pass for one of the pilot's; none where the plan wants none.
   const double traced =
       engine_.plan.pooled ? double(kPool) : double(pixels) * squares_ * passes_ * engine_.options.light_samples;
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {
       const size_t i = size_t(row) * size_t(grid_.columns()) + size_t(column);
       const RegionGrid::Rect r = grid_.rect(column, row);
-      const double scale = double(engine_.light_per_pass()) / traced / (double(r.x1 - r.x0) * (r.y1 - r.y0));
+      const double scale =
+          traced > 0 ? double(engine_.light_per_pass()) / traced / (double(r.x1 - r.x0) * (r.y1 - r.y0)) : 0;
       for (const std::vector<RegionMeasure>& task : light_) {
         measures[i].mean += task[i].mean * scale;
         measures[i].variance += task[i].variance * scale;

@@ -10,7 +10,7 @@ namespace bdpt {
 void SampleRates::set(const RegionGrid& grid, const std::vector<RegionMeasure>& eye,
                       const std::vector<RegionMeasure>& all, uint64_t seed) {
   grid_ = grid;
-  phase_ = hash_values(seed, 9);
+  phase_ = hash_values(seed, 10);
   std::vector<double> pixels(grid.count());
   double sum = 0, count = 0;
   for (size_t i = 0; i < grid.count(); ++i) {
