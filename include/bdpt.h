@@ -624,6 +624,15 @@ typedef int32_t bdpt_shadow_roulette;
                                              deviation of a sample per ray, found by a pilot of some thousand samples
                                              at the start of the first call of bdpt_render_advance */
 
+typedef int32_t bdpt_adaptive;
+#define BDPT_ADAPTIVE_NONE 0       /* one eye sample of each pixel in each pass */
+#define BDPT_ADAPTIVE_TWO_STAGES 1 /* Veach (1997), 10.3.6: as many in all, but more of them where they are noisy in relation
+                                      to the picture: a pixel gets r in a pass, in the mean, r in quarters from 1/2 to 4,
+                                      and each counts 1/r times. A pilot of some thousand samples at the start of the
+                                      first call of bdpt_render_advance finds r for each region of the image, before any
+                                      sample is taken: no bias. In one pass alone some pixels get none; it is at its
+                                      best in multiples of four passes for each of the film's groups */
+
 typedef int32_t bdpt_light_start;
 #define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
 #define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
@@ -677,6 +686,8 @@ typedef struct bdpt_render_desc {
                                    BDPT_LIGHT_SELECTION_EACH on each light; [1,64]; 0 = 1 */
   uint32_t direct_candidates;   /* each of them is chosen among so many by what it would contribute without shadows,
                                    [1,64]; 0 = 1 */
+  bdpt_adaptive adaptive;       /* sampling of the image plane; none with mmlt */
+  uint32_t reserved;            /* 0 */
 } bdpt_render_desc;
 
 /* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.

@@ -73,6 +73,14 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.shadow_threshold = 0.1f; });
   for (float threshold : {0.0f, -1.0f, kNan, std::numeric_limits<float>::infinity()})
     refused([=](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_FIXED, d.shadow_threshold = threshold; });
+  for (uint32_t i = 0; bdpt_plan_name(i); ++i) {
+    if (std::strcmp(bdpt_plan_name(i), "mmlt") == 0) continue;
+    EXPECT_OK(try_render([&](auto& d) { d.plan = bdpt_plan_name(i), d.adaptive = BDPT_ADAPTIVE_TWO_STAGES; }));
+  }
+  refused([](auto& d) { d.adaptive = 2; });
+  refused([](auto& d) { d.adaptive = -1; });
+  refused([](auto& d) { d.plan = "mmlt", d.adaptive = BDPT_ADAPTIVE_TWO_STAGES; });
+  refused([](auto& d) { d.reserved = 1; });
   refused([](auto& d) { d.light_selection = 4; });
   refused([](auto& d) { d.light_selection = -1; });
   refused([](auto& d) { d.direct_samples = 65; });

@@ -23,6 +23,7 @@ struct Kind {
   Roulette roulette = Roulette::None;
   LightSelection selection = LightSelection::Power;
   int direct_samples = 1;
+  Adaptive adaptive = Adaptive::None;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -43,6 +44,7 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.shadow_roulette = GetParam().roulette;
     d.transport.light_selection = GetParam().selection;
     d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
+    d.transport.adaptive = GetParam().adaptive;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -212,7 +214,22 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"combinatorial", SamplerType::Independent, "combinatorial"},
                       Kind{"roulette", SamplerType::Sobol, "one-to-one", 2, 1, Roulette::Efficiency},
                       Kind{"pooled roulette", SamplerType::Sobol, "pooled", 1, 1, Roulette::Efficiency},
-                      Kind{"matrix roulette", SamplerType::Sobol, "matrix", 1, 2, Roulette::Efficiency}));
+                      Kind{"matrix roulette", SamplerType::Sobol, "matrix", 1, 2, Roulette::Efficiency},
+                      Kind{.name = "adaptive",
+                           .sampler = SamplerType::Stratified,
+                           .plan = "one-to-one",
+                           .light_samples = 2,
+                           .adaptive = Adaptive::TwoStages},
+                      Kind{.name = "adaptive pooled",
+                           .sampler = SamplerType::Sobol,
+                           .plan = "pooled",
+                           .adaptive = Adaptive::TwoStages},
+                      Kind{.name = "adaptive matrix with roulette",
+                           .sampler = SamplerType::Sobol,
+                           .plan = "matrix",
+                           .pool_passes = 2,
+                           .roulette = Roulette::Efficiency,
+                           .adaptive = Adaptive::TwoStages}));
 
 }  // namespace
 }  // namespace bdpt

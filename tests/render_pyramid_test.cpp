@@ -6,7 +6,7 @@ namespace {
 
 using namespace rendering;
 
-class RenderPyramid : public ::testing::TestWithParam<std::tuple<bool, FilterType, Heuristic>> {
+class RenderPyramid : public ::testing::TestWithParam<std::tuple<bool, FilterType, Heuristic, Adaptive>> {
  protected:
   static constexpr int kMaxEdges = 6;
   Picture picture() const {
@@ -17,6 +17,7 @@ class RenderPyramid : public ::testing::TestWithParam<std::tuple<bool, FilterTyp
     RenderDesc desc;
     desc.transport.max_edges = kMaxEdges;
     desc.transport.heuristic = std::get<2>(GetParam());
+    desc.transport.adaptive = std::get<3>(GetParam());
     const ScenePointer scene =
         scenes::room({.contents = scenes::Contents::Specular, .points = true, .environment = true}).build();
     return render(scene, scenes::camera(scenes::room_view_through_lens(), 24, 20), film, desc, 5);
@@ -48,7 +49,8 @@ TEST_P(RenderPyramid, SumsToThePicture) {
 
 INSTANTIATE_TEST_SUITE_P(All, RenderPyramid,
                          ::testing::Combine(::testing::Bool(), ::testing::Values(FilterType::Box, FilterType::Mitchell),
-                                            ::testing::Values(Heuristic::Power, Heuristic::Cutoff, Heuristic::None)));
+                                            ::testing::Values(Heuristic::Power, Heuristic::Cutoff, Heuristic::None),
+                                            ::testing::Values(Adaptive::None, Adaptive::TwoStages)));
 
 }  // namespace
 }  // namespace bdpt

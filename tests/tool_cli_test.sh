@@ -96,6 +96,9 @@ expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette efficiency --json
 grep -q '"1x2": {"energy": 0\.' stdout.txt || fail "no statistics of techniques"
 expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette fixed --roulette-threshold 0.01
 expect 3 '^bdpt: .*shadow_threshold.*above 0' render box.pbrt -o r.exr --roulette fixed
+expect 0 '' render box.pbrt -o adaptive.exr --spp 16 --adaptive
+expect 0 '' compare adaptive.exr full.exr
+expect 3 '^bdpt: .*adaptive.*another plan' render box.pbrt -o a.exr --integrator mmlt --adaptive
 expect 0 '' render box.pbrt -o mmlt.exr --spp 16 --integrator mmlt --pool-passes 4 --json
 grep -q '"mutations": [1-9]' stdout.txt || fail "mmlt: $(cat stdout.txt)"
 expect 0 '' compare mmlt.exr full.exr

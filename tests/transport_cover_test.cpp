@@ -1,5 +1,5 @@
-// Plans, heuristics, roulettes, samplers, numbers of samples and starts, every pair of choices together at least once:
-// all measure the same. The plain average is left out: its variance need not be finite.
+// Plans, heuristics, roulettes, samplers, numbers of samples, starts and rates, every pair of choices together at least
+// once: all measure the same. The plain average is left out: its variance need not be finite.
 #include "rendering.h"
 #include "transport/plan.h"
 
@@ -24,6 +24,7 @@ enum Factor {
   kStart,
   kOrder,
   kSubpathRoulette,
+  kAdaptive,
   kFactors
 };
 using Choice = std::array<int, kFactors>;
@@ -33,7 +34,7 @@ int plans() {
   while (plan_at(size_t(n))) ++n;
   return n;
 }
-Choice sizes() { return {plans(), 5, 3, 3, 3, 2, 2, 3, 2}; }
+Choice sizes() { return {plans(), 5, 3, 3, 3, 2, 2, 3, 2, 2}; }
 
 // Greedy: each row takes, factor by factor, what meets most pairs that are not met yet.
 std::vector<Choice> pairwise_cover(const Choice& sizes) {
@@ -91,6 +92,7 @@ TransportOptions options_of(const Choice& c) {
   o.order = Order(c[kOrder]);
   o.partners = Partners(c[kOrder] % 2);
   o.roulette_start = c[kSubpathRoulette] == 1 ? 2 : 4;
+  o.adaptive = o.plan->chains ? Adaptive::None : Adaptive(c[kAdaptive]);
   o.pool_passes = o.plan->passes > 1 ? 2 : 0;
   return o;
 }

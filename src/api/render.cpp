@@ -44,6 +44,15 @@ void read_shadow_roulette(const Subject& subject, const bdpt_render_desc& desc, 
   options.shadow_threshold = desc.shadow_threshold;
 }
 
+void read_adaptive(const Subject& subject, const bdpt_render_desc& desc, TransportOptions& options) {
+  subject.check_enum("adaptive", desc.adaptive, BDPT_ADAPTIVE_TWO_STAGES);
+  options.adaptive = static_cast<Adaptive>(desc.adaptive);
+  if (options.adaptive != Adaptive::None && options.plan->chains)
+    subject.refuse("adaptive", "is set, but the plan ", options.plan->name,
+                   " has chains that go all over the image: give none, or another plan");
+  subject.check_reserved("reserved", desc.reserved);
+}
+
 void read_direct_lighting(const Subject& subject, const bdpt_render_desc& desc, TransportOptions& options) {
   subject.check_enum("light_selection", desc.light_selection, BDPT_LIGHT_SELECTION_EACH);
   options.light_selection = static_cast<LightSelection>(desc.light_selection);
@@ -94,6 +103,7 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
   options.partners = static_cast<Partners>(desc.partners);
   read_shadow_roulette(subject, desc, options);
+  read_adaptive(subject, desc, options);
   read_direct_lighting(subject, desc, options);
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);
   if (desc.light_samples > 1 && (plan.chains || plan.chooses))

@@ -98,20 +98,20 @@ void add_rgb(Accumulator sums[3], const Rgb& v) {
 
 }  // namespace
 
-void Film::add_eye_sample(const FilmPosition& film, const Rgb& value) {
+void Film::add_eye_sample(const FilmPosition& film, const Rgb& value, float weight) {
   const bool ok = fits(value);
   if (!ok) ++rejected_pass_;
   if (own_pixel_) {  // no other thread samples this pixel
     const int x = int(film.x), y = int(film.y);
     PixelSums& sums = pass_[size_t(y) * size_t(desc_.width) + size_t(x)];
     if (ok) add_own(sums.eye[0], value.r), add_own(sums.eye[1], value.g), add_own(sums.eye[2], value.b);
-    if (desc_.normalize_by_weights) add_own(sums.weight, 1);
+    if (desc_.normalize_by_weights) add_own(sums.weight, weight);
     return;
   }
   splat(film, [&](size_t pixel, float h) {
     PixelSums& sums = pass_[pixel];
     if (ok) add_rgb(sums.eye, value * h);
-    if (desc_.normalize_by_weights) sums.weight.add_shared(Accumulator::steps(h));
+    if (desc_.normalize_by_weights) sums.weight.add_shared(Accumulator::steps(h * weight));
   });
 }
 

@@ -42,6 +42,11 @@ inline PassInGroup pass_in_group(uint64_t pass, uint64_t pool_passes, int groups
   return {pool % g, pool / g * pool_passes + pass % pool_passes};
 }
 
+// The pass at which it stands.
+inline uint64_t pass_of(const PassInGroup& p, uint64_t pool_passes, int groups) {
+  return (p.index / pool_passes * uint64_t(groups) + p.group) * pool_passes + p.index % pool_passes;
+}
+
 struct PassRange {
   uint64_t begin, end;  // [begin, end)
   bool operator==(const PassRange&) const = default;
@@ -81,7 +86,9 @@ class Film {
   void begin(const FilmRecipe& recipe);  // throws Mismatch if the film holds another recipe
   // Thread-safe, but for two eye samples of one pixel. s and t say which image of the pyramid gets the contribution,
   // too.
-  void add_eye_sample(const FilmPosition& film, const Rgb& value);
+  void add_eye_sample(const FilmPosition& film, const Rgb& value) { add_eye_sample(film, value, 1); }
+  // For `weight` samples that find this in the mean; value is their sum.
+  void add_eye_sample(const FilmPosition& film, const Rgb& value, float weight);
   void add_light_sample(const FilmPosition& film, const Rgb& value);
   // Of the eye image, but of no pixel: an eye image of such samples alone is normalised by their number.
   void add_free_eye_sample(const FilmPosition& film, const Rgb& value);

@@ -113,7 +113,8 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
     blocks_ = make_blocks(engine_->bounds, own ? own : wanted);
     blocks_done_.assign(blocks_.size(), 0);
     const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
-    const uint64_t in_flight = engine_->plan.in_flight ? engine_->plan.in_flight : block_samples * n;
+    const uint64_t each = desc.transport.adaptive == Adaptive::TwoStages ? SampleRates::kMost : 1;
+    const uint64_t in_flight = engine_->plan.in_flight ? engine_->plan.in_flight : block_samples * n * each;
     booking_ =
         Booking(meter, executor_->worker_count() * in_flight * kBytesPerSample + engine_->direct_lighting.memory(),
                 "the render's blocks and tree of lights");
@@ -233,21 +234,23 @@ bool Render::choose_strategies(Call& call) {
   return true;
 }
 
-// The thresholds of the shadow rays' roulette.
+// The thresholds of the shadow rays' roulette, and the rates of samples.
 bool Render::run_pilot(Call& call) {
   ImagePilot pilot(*engine_);
   if (!run_blocks(call, pilot.pool_tasks(), [&](Block& block, uint32_t i) { pilot.fill_pool(block, i); })) return false;
   pilot.finish_pool();
   if (!run_blocks(call, pilot.row_tasks(), [&](Block& block, uint32_t i) { pilot.run_row(block, i); })) return false;
-  engine_->roulette.set_efficient(pilot.grid(), pilot.measures());
+  const std::vector<RegionMeasure> measures = pilot.measures();
+  if (engine_->options.shadow_roulette == Roulette::Efficiency) engine_->roulette.set_efficient(pilot.grid(), measures);
+  if (engine_->options.adaptive == Adaptive::TwoStages)
+    engine_->set_rates(pilot.grid(), pilot.eye_measures(), measures);
   return true;
 }
 
 // True when the pass in hand is whole.
 bool Render::run_pass(Call& call) {
   if (engine_->plan.chooses && !engine_->map && !choose_strategies(call)) return false;
-  if (engine_->options.shadow_roulette == Roulette::Efficiency && !engine_->roulette.plays() && !run_pilot(call))
-    return false;
+  if (engine_->wants_pilot() && !run_pilot(call)) return false;
   call.blocks = uint32_t(blocks_.size());
   call.pool_passes = engine_->pool_passes;
   uint32_t done = 0;

@@ -14,9 +14,12 @@ constexpr size_t kConnectionsInFlight = 1024;
 void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
   pool_ = pool;
   seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
-  stats_.samples += engine_.pool_passes * uint64_t(rect.x1 - rect.x0) * uint64_t(rect.y1 - rect.y0);
-  if (engine_.plan.run) return engine_.plan.run(*this, pass, rect);
+  if (engine_.plan.run) {
+    stats_.samples += engine_.pool_passes * uint64_t(rect.x1 - rect.x0) * uint64_t(rect.y1 - rect.y0);
+    return engine_.plan.run(*this, pass, rect);
+  }
   start_pixels(pass, engine_.pool_passes, rect);
+  stats_.samples += eye_.count();
   extend();
   join_inner(*strategy_->plan);
   accumulate();
@@ -44,36 +47,56 @@ void Block::start(size_t eyes, size_t lights) {
   eye_.reset(eyes);
   light_.reset(lights);
   eye_sums_.assign(eyes, Rgb());
+  eye_weights_.assign(eyes, 1);
   roulette_key_ = ~0ull;
   walkers_.clear();
   rays_.clear();
 }
 
+void Block::choose_samples(uint64_t pass, uint64_t passes, const BlockRect& rect) {
+  const SampleRates& rates = engine_.rates;
+  const bool one_each = !rates.are_set() || pass >= kPilotPass;
+  const int groups = engine_.film.desc().groups;
+  pixel_samples_.clear();
+  for (uint64_t p = pass; p < pass + passes; ++p) {
+    const PassInGroup in_group = engine_.in_group(p);
+    for (int y = rect.y0; y < rect.y1; ++y)
+      for (int x = rect.x0; x < rect.x1; ++x) {
+        if (one_each) {
+          pixel_samples_.push_back({p, x, y});
+          continue;
+        }
+        const SampleRates::Numbers numbers = rates.numbers(in_group, x, y);
+        for (uint64_t n = numbers.begin; n < numbers.end; ++n)
+          pixel_samples_.push_back({pass_of({in_group.group, n}, engine_.pool_passes, groups), x, y});
+      }
+  }
+}
+
 void Block::start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect) {
   StageTimer timer(stats_.start);
+  choose_samples(pass, passes, rect);
   const SampleBounds& bounds = engine_.bounds;
   strategy_ = &engine_.strategy_at({float(rect.x0), float(rect.y0)});
-  const uint32_t samples = uint32_t(passes) * uint32_t(rect.x1 - rect.x0) * uint32_t(rect.y1 - rect.y0);
   // Within the pixel, whatever the rounding: x + u may come out as x + 1.
   const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };
   const uint32_t lights = engine_.max_light > 0 && !pool_ ? uint32_t(engine_.options.light_samples) : 0;
   // A subpath of one vertex more than the path's edges ends on the other side's first vertex.
   const uint32_t most_eye = max_edges_ < engine_.max_eye ? max_edges_ + 1 : engine_.max_eye,
                  most_light = max_edges_ < engine_.max_light ? max_edges_ + engine_.hit_sensor : engine_.max_light;
-  start(samples, size_t(samples) * lights);
-  uint32_t sample = 0;
-  for (uint64_t p = pass; p < pass + passes; ++p)
-    for (int y = rect.y0; y < rect.y1; ++y)
-      for (int x = rect.x0; x < rect.x1; ++x, ++sample) {
-        const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
-        const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
-        const Four u = engine_.draw_film(stream, p, number);
-        start_eye(sample, {within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, most_eye);
-        for (uint32_t l = 0; l < lights; ++l) {
-          light_.streams[sample * lights + l] = engine_.light_stream(p, number * lights + l);
-          start_light(sample * lights + l, most_light);
-        }
-      }
+  start(pixel_samples_.size(), pixel_samples_.size() * lights);
+  for (uint32_t sample = 0; sample < pixel_samples_.size(); ++sample) {
+    const auto& [p, x, y] = pixel_samples_[sample];
+    const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
+    const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
+    const Four u = engine_.draw_film(stream, p, number);
+    start_eye(sample, {within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, most_eye);
+    for (uint32_t l = 0; l < lights; ++l) {
+      light_.streams[sample * lights + l] = engine_.light_stream(p, number * lights + l);
+      start_light(sample * lights + l, most_light);
+    }
+    if (pass < kPilotPass) eye_weights_[sample] = float(1 / engine_.rates.rate(x, y));
+  }
 }
 
 void Block::start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most) {
@@ -170,14 +193,16 @@ void Block::shadow() {
 
 void Block::accumulate() {
   StageTimer timer(stats_.accumulate);
-  for (size_t i = 0; i < eye_sums_.size(); ++i) engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i]);
+  for (size_t i = 0; i < eye_sums_.size(); ++i)
+    engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i], eye_weights_[i]);
 }
 
-void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
-  if (!is_finite(value)) {
+void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution) {
+  if (!is_finite(contribution)) {
     ++stats_.rejected;
     return;
   }
+  const Rgb value = contribution * eye_weights_[sample];
   count(s, t, value);
   if (keeps_) {
     kept_.push_back({value, eye_.starts[sample].film, sample, s, t, shares_});
@@ -188,11 +213,12 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value) {
     engine_.film.add_technique_sample(int(s), int(t), eye_.starts[sample].film, value);
 }
 
-void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value) {
-  if (!is_finite(value)) {
+void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution) {
+  if (!is_finite(contribution)) {
     ++stats_.rejected;
     return;
   }
+  const Rgb value = contribution * engine_.light_weight;
   count(s, t, value);
   if (keeps_) {
     kept_.push_back({value, film, light, s, t, shares_});
@@ -249,8 +275,8 @@ size_t Block::memory() const {
   return eye_.memory() + light_.memory() + (walkers_.capacity() + next_walkers_.capacity()) * sizeof(Walker) +
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
-         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb) +
-         kept_.capacity() * sizeof(Contribution);
+         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * (sizeof(Rgb) + sizeof(float)) +
+         pixel_samples_.capacity() * sizeof(PixelSample) + kept_.capacity() * sizeof(Contribution);
 }
 
 }  // namespace bdpt

@@ -145,6 +145,11 @@ class Block {
     uint32_t vertex, sample;
     bool eye;
   };
+  // An eye sample: the one that a render with rates of one takes of this pixel in this pass.
+  struct PixelSample {
+    uint64_t pass;
+    int x, y;
+  };
   struct Connection {
     Rgb contribution;
     FilmPosition film;  // t = 1
@@ -162,6 +167,7 @@ class Block {
     return engine_.draw((eye ? eye_.streams : light_.streams)[subpath], vertex, purpose);
   }
   void start(size_t eyes, size_t lights);
+  void choose_samples(uint64_t pass, uint64_t passes, const BlockRect& rect);
   void start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect);
   void start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most);
   void start_light(uint32_t light, uint32_t most);
@@ -191,8 +197,8 @@ class Block {
   void accumulate();
 
   float technique(const Walker& walker, const Vertex& vertex) const;
-  void add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& value);
-  void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& value);
+  void add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution);
+  void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution);
   void count(uint32_t s, uint32_t t, const Rgb& value);
   void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
                        const FilmPosition& film = {0, 0});
@@ -213,7 +219,9 @@ class Block {
   bool keeps_ = false;       // contributions, instead of adding them to the film
   std::vector<Contribution> kept_;
   uint64_t seed_ = 0;
+  std::vector<PixelSample> pixel_samples_;
   std::vector<Rgb> eye_sums_;
+  std::vector<float> eye_weights_;
   std::vector<Walker> walkers_, next_walkers_;
   std::vector<Ray> rays_, next_rays_;
   std::vector<Hit> hits_;

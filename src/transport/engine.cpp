@@ -93,6 +93,13 @@ void Engine::choose(StrategyMap chosen) {
   limit_subpaths();
 }
 
+// Light subpaths come with eye samples, unless a pool has as many in each pass.
+void Engine::set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>& eye,
+                       const std::vector<RegionMeasure>& all) {
+  rates.set(grid, eye, all, seed);
+  light_weight = plan.pooled ? 1 : float(1 / rates.mean());
+}
+
 FilmRecipe Engine::recipe() const {
   const uint64_t all = hash_values(sensor.hash(), film.desc().hash(), options.hash());
   return {seed, scene.info().hash, all, samples_per_pass(), pool_passes};

@@ -7,6 +7,7 @@
 #include "sensor/sensor.h"
 #include "transport/mis.h"
 #include "transport/options.h"
+#include "transport/sample_rates.h"
 #include "transport/shadow_roulette.h"
 #include "transport/stats.h"
 #include "transport/strategy.h"
@@ -47,6 +48,8 @@ struct Engine {
   bool hit_sensor;              // whether t = 0 is done at all
   RayRecorder* recorder = nullptr;
   ShadowRoulette roulette;
+  SampleRates rates;
+  float light_weight = 1;  // of a light subpath, in the light image
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
@@ -59,6 +62,12 @@ struct Engine {
   uint64_t pool_passes;  // passes that come together, in one pool
   uint64_t samples_per_pass() const { return bounds.count(); }
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
+  void set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>& eye, const std::vector<RegionMeasure>& all);
+  // Whether something that an ImagePilot finds is still unknown.
+  bool wants_pilot() const {
+    return (options.shadow_roulette == Roulette::Efficiency && !roulette.plays()) ||
+           (options.adaptive == Adaptive::TwoStages && !rates.are_set());
+  }
   FilmRecipe recipe() const;
   // For plans whose counts depend on what a pilot finds. True if the mask says the same within each class.
   bool set_counts(double light_vertices);

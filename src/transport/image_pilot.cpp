@@ -7,10 +7,10 @@ namespace bdpt {
 
 namespace {
 
-// Of each region so many pixels a side, each so many times; where a sample's cost depends on the size of its block, as
-// many as fill one.
+// Of each region squares of so many pixels a side, each so many times; where a sample's cost depends on the size of its
+// block, as many as fill one. Rates of samples must know more than thresholds.
 constexpr int kSide = 2;
-constexpr uint32_t kPasses = 8;
+constexpr uint32_t kPasses = 8, kSquares = 1, kSquaresForRates = 4;
 uint32_t passes_for(const Plan& plan) {
   return plan.block_size > 0 && plan.passes == 1 ? plan.block_size / (kSide * kSide) : kPasses;
 }
@@ -27,7 +27,11 @@ void add_light(const RegionGrid& grid, const Contribution& c, std::vector<Region
 }  // namespace
 
 ImagePilot::ImagePilot(const Engine& engine)
-    : engine_(engine), grid_(engine.bounds), passes_(passes_for(engine.plan)), regions_(grid_.count()) {
+    : engine_(engine),
+      grid_(engine.bounds),
+      passes_(passes_for(engine.plan)),
+      squares_(engine.options.adaptive == Adaptive::None ? kSquares : kSquaresForRates),
+      regions_(grid_.count()) {
   if (engine.plan.pooled) pool_.begin(kPool);
   const size_t tasks = pool_tasks() + row_tasks();
   light_.assign(tasks, std::vector<RegionMeasure>(grid_.count()));
@@ -45,32 +49,37 @@ void ImagePilot::run_row(Block& block, uint32_t row) {
   for (int column = 0; column < grid_.columns(); ++column) {
     const RegionGrid::Rect r = grid_.rect(column, int(row));
     const int w = std::min(kSide, r.x1 - r.x0), h = std::min(kSide, r.y1 - r.y0);
-    const uint64_t place = hash_values(engine_.seed, 7, row, column);
-    const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
-    const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
-    const size_t pixels = size_t(w) * size_t(h);
-    const uint64_t before = block.stats().rays();
-    std::vector<Rgb> samples(passes_ * pixels);
-    for (const Contribution& c :
-         block.sample_pilot(passes_, {x, y, x + w, y + h}, engine_.plan.pooled ? &pool_ : nullptr)) {
-      if (c.t >= 2)
-        samples[c.sample] += c.value;
-      else
-        add_light(grid_, c, light_[pool_tasks() + row]);
+    for (uint32_t i = 0; i < squares_; ++i) {
+      const uint64_t place = hash_values(engine_.seed, 7, row, column, i);
+      const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
+      const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
+      measure_square(block, {x, y, x + w, y + h}, row,
+                     regions_[size_t(row) * size_t(grid_.columns()) + size_t(column)]);
     }
-    // The mean of the pixels, and the mean variance within one.
-    RegionMeasure& region = regions_[size_t(row) * size_t(grid_.columns()) + size_t(column)];
-    for (size_t pixel = 0; pixel < pixels; ++pixel) {
-      double sum = 0, squares = 0;
-      for (size_t i = pixel; i < samples.size(); i += pixels) {
-        const double value = double(norm(samples[i]));
-        sum += value, squares += value * value;
-      }
-      region.mean += sum / double(samples.size());
-      region.variance += std::max(0.0, squares - sum * sum / passes_) / (passes_ - 1) / double(pixels);
-    }
-    region.rays = double(block.stats().rays() - before) / double(samples.size());
   }
+}
+
+// Adds a square's share: the mean of its pixels, and the mean variance within one.
+void ImagePilot::measure_square(Block& block, const BlockRect& square, uint32_t row, RegionMeasure& region) {
+  const size_t pixels = size_t(square.x1 - square.x0) * size_t(square.y1 - square.y0);
+  const uint64_t before = block.stats().rays();
+  std::vector<Rgb> samples(passes_ * pixels);
+  for (const Contribution& c : block.sample_pilot(passes_, square, engine_.plan.pooled ? &pool_ : nullptr)) {
+    if (c.t >= 2)
+      samples[c.sample] += c.value;
+    else
+      add_light(grid_, c, light_[pool_tasks() + row]);
+  }
+  for (size_t pixel = 0; pixel < pixels; ++pixel) {
+    double sum = 0, squares = 0;
+    for (size_t i = pixel; i < samples.size(); i += pixels) {
+      const double value = double(norm(samples[i]));
+      sum += value, squares += value * value;
+    }
+    region.mean += sum / double(samples.size()) / squares_;
+    region.variance += std::max(0.0, squares - sum * sum / passes_) / (passes_ - 1) / double(pixels) / squares_;
+  }
+  region.rays += double(block.stats().rays() - before) / double(samples.size()) / squares_;
 }
 
 std::vector<RegionMeasure> ImagePilot::measures() const {
@@ -83,13 +92,15 @@ std::vector<RegionMeasure> ImagePilot::measures() const {
       const RegionGrid::Rect r = grid_.rect(column, row);
       pixels += uint64_t(std::min(kSide, r.x1 - r.x0)) * uint64_t(std::min(kSide, r.y1 - r.y0));
     }
-  // The light subpaths of a pass for one of the pilot's.
-  const double traced = engine_.plan.pooled ? double(kPool) : double(pixels) * passes_ * engine_.options.light_samples;
+  // The light subpaths of a pass for one of the pilot's; none where the plan wants none.
+  const double traced =
+      engine_.plan.pooled ? double(kPool) : double(pixels) * squares_ * passes_ * engine_.options.light_samples;
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {
       const size_t i = size_t(row) * size_t(grid_.columns()) + size_t(column);
       const RegionGrid::Rect r = grid_.rect(column, row);
-      const double scale = double(engine_.light_per_pass()) / traced / (double(r.x1 - r.x0) * (r.y1 - r.y0));
+      const double scale =
+          traced > 0 ? double(engine_.light_per_pass()) / traced / (double(r.x1 - r.x0) * (r.y1 - r.y0)) : 0;
       for (const std::vector<RegionMeasure>& task : light_) {
         measures[i].mean += task[i].mean * scale;
         measures[i].variance += task[i].variance * scale;

@@ -23,11 +23,15 @@ class ImagePilot {
 
   const RegionGrid& grid() const { return grid_; }
   std::vector<RegionMeasure> measures() const;
+  // Of the eye samples alone, t >= 2; rays: of one more eye sample, with the light subpaths that it brings.
+  const std::vector<RegionMeasure>& eye_measures() const { return regions_; }
 
  private:
+  void measure_square(Block& block, const BlockRect& square, uint32_t row, RegionMeasure& region);
+
   const Engine& engine_;
   RegionGrid grid_;
-  uint32_t passes_;
+  uint32_t passes_, squares_;
   LightPool pool_;
   std::vector<RegionMeasure> regions_;             // the eye's part
   std::vector<std::vector<RegionMeasure>> light_;  // the light image's part, by tasks

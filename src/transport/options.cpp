@@ -26,6 +26,10 @@ uint64_t TransportOptions::hash() const {
     constexpr uint64_t direct = 0x746365726964;  // unlike any numbers above
     h = hash_values(h, direct, int(light_selection), direct_samples, direct_candidates);
   }
+  if (adaptive != Adaptive::None) {
+    constexpr uint64_t own = 0x6576697470616461;
+    h = hash_values(h, own, int(adaptive));
+  }
   return h;
 }
 

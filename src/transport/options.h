@@ -11,6 +11,8 @@ namespace bdpt {
 enum class Heuristic { Power, Balance, Cutoff, Maximum, Average, None };
 // Roulette of shadow rays.
 enum class Roulette { None, Fixed, Efficiency };
+// Of the image plane.
+enum class Adaptive { None, TwoStages };
 enum class SamplerType { Sobol, Independent, Stratified };
 
 // Which techniques (s,t) take part: bit t of row s, 31 standing for 31 and more.
@@ -50,6 +52,7 @@ struct TransportOptions {
   int roulette_start = 4;
   Roulette shadow_roulette = Roulette::None;
   float shadow_threshold = 0;  // Fixed: delta, in units of a pixel's value
+  Adaptive adaptive = Adaptive::None;
   uint64_t hash() const;
 };
 

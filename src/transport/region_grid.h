@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace bdpt {
 
@@ -43,6 +44,25 @@ class RegionGrid {
     };
     return {edge(bounds_.x0, bounds_.x1, column, columns_), edge(bounds_.y0, bounds_.y1, row, rows_),
             edge(bounds_.x0, bounds_.x1, column + 1, columns_), edge(bounds_.y0, bounds_.y1, row + 1, rows_)};
+  }
+  double pixels(size_t region) const {
+    const Rect r = rect(int(region % size_t(columns_)), int(region / size_t(columns_)));
+    return double(r.x1 - r.x0) * (r.y1 - r.y0);
+  }
+  // The geometric mean of a region and its neighbours, of those values that are above zero: few samples find few of the
+  // rare bright ones, and one that they find must not speak for a region.
+  std::vector<double> smooth(const std::vector<double>& values) const {
+    std::vector<double> smoothed(count());
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) {
+        double logs = 0;
+        int n = 0;
+        for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y)
+          for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x)
+            if (const double v = values[size_t(y) * size_t(columns_) + size_t(x)]; v > 0) logs += std::log(v), ++n;
+        if (n > 0) smoothed[size_t(row) * size_t(columns_) + size_t(column)] = std::exp(logs / n);
+      }
+    return smoothed;
   }
 
  private:

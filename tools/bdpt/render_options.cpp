@@ -99,6 +99,9 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
       .add_option("--roulette-threshold", options.roulette_threshold,
                   "Contributions below it, in units of a pixel's value, are tested in proportion (--roulette fixed)")
       ->check(positive());
+  command.add_flag("--adaptive", options.adaptive,
+                   "More samples where the picture is noisy and fewer where it is not, as many in all (Veach 10.3.6); "
+                   "best with --spp a multiple of 8");
   add_choice(command, "--light-selection", options.light_selection, kLightSelections,
              "How direct lighting chooses a light: power (default), uniform, tree (for many lights), or each in turn");
   command

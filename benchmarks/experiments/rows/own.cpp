@@ -302,4 +302,50 @@ void own_automatic(Report& report) {
                      (missed.empty() ? "." : "; it has less in: " + missed + "."));
 }
 
+void own_adaptive(Report& report) {
+  const Setting& setting = report.setting();
+  const NamedScene scenes[] = {
+      {"Cornell box", [] { return cornell_box(BoxContents::Boxes, BoxLight::Down); }},
+      {"egg room", [&] { return bitterli_scene(setting, "veach-bidir"); }},
+      {"door ajar", [&] { return bitterli_scene(setting, "veach-ajar"); }},
+      {"plates and lamps", [&] { return bitterli_scene(setting, "veach-mis"); }},
+  };
+  Table table{"Adaptive over uniform, in the same time", {"scene"}, {}};
+  std::vector<Variant> variants;
+  for (const Variant& uniform : {bidirectional(), path_tracing()}) {
+    Variant adaptive = uniform;
+    adaptive.name += ", adaptive", adaptive.adaptive = BDPT_ADAPTIVE_TWO_STAGES;
+    variants.insert(variants.end(), {uniform, adaptive});
+    table.columns.insert(table.columns.end(),
+                         {uniform.name + ": variance", adaptive.name + ": variance", "efficiency"});
+  }
+  std::size_t better = 0, worse = 0;
+  for (const NamedScene& scene : scenes) {
+    std::vector<Contestant> contestants;
+    try {
+      const Stage stage = build_stage(scene.make(), setting.pick(400, 192, 24), setting);
+      ContestOptions options;
+      options.max_edges = 6;
+      options.passes = setting.pick(32, 16, 2);
+      options.turns = setting.pick(16, 6, 2);
+      contestants = hold(stage, variants, options);
+    } catch (const SceneMissing& missing) {
+      report.note(std::string(missing.what()) + ", and is left out.");
+      continue;
+    }
+    table.rows.push_back({std::string(scene.name)});
+    for (std::size_t v = 0; v < variants.size(); v += 2) {
+      const Checkpoint &uniform = contestants[v].end(), &adaptive = contestants[v + 1].end();
+      const Estimate ratio = efficiency_ratio(adaptive, uniform);
+      table.rows.back().insert(table.rows.back().end(),
+                               {relative_variance(uniform), relative_variance(adaptive), ratio});
+      better += above(ratio, 1), worse += below(ratio, 1);
+    }
+  }
+  report.measured("Paths of up to 6 edges. The pilot's rays are part of the time.");
+  report.verdict(Verdict::Told, "Of " + std::to_string(2 * table.rows.size()) + " pairs " + std::to_string(better) +
+                                    " gain by it and " + std::to_string(worse) + " lose.");
+  report.add(std::move(table));
+}
+
 }  // namespace bdpt_experiments
