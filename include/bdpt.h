@@ -625,8 +625,11 @@ typedef int32_t bdpt_shadow_roulette;
                                              at the start of the first call of bdpt_render_advance */
 
 typedef int32_t bdpt_light_start;
-#define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
-#define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
+#define BDPT_LIGHT_START_POWER 0      /* light subpaths start by emitted power */
+#define BDPT_LIGHT_START_UNIFORM 1    /* every light alike */
+#define BDPT_LIGHT_START_IMPORTANCE 2 /* by what each light's subpaths bring to this view, and a tenth by power: Veach
+                                         (1997), 10.7. bdpt_render_create traces a pilot of 8192 to 65536 samples to
+                                         find it; they count in the statistics */
 
 /* How direct lighting (s = 1) chooses a light for the point that is lit. A light is a point, a spot, an environment, or
  * an instance that emits. */

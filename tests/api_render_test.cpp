@@ -47,7 +47,8 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.cutoff = kNan; });
   refused([](auto& d) { d.sampler = 3; });
   refused([](auto& d) { d.strata = 257; });
-  refused([](auto& d) { d.light_start = 2; });
+  refused([](auto& d) { d.light_start = 3; });
+  EXPECT_OK(try_render([](auto& d) { d.light_start = BDPT_LIGHT_START_IMPORTANCE; }));
   refused([](auto& d) { d.block_size = 65537; });
   refused([](auto& d) { d.plan = "no such plan"; });
   refused([](auto& d) { d.connections = 2; });  // one-to-one does not choose

@@ -23,6 +23,7 @@ struct Kind {
   Roulette roulette = Roulette::None;
   LightSelection selection = LightSelection::Power;
   int direct_samples = 1;
+  StartBy light_start = StartBy::Power;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -43,6 +44,7 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.shadow_roulette = GetParam().roulette;
     d.transport.light_selection = GetParam().selection;
     d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
+    d.transport.light_start = GetParam().light_start;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -206,6 +208,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
                       Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
+                      Kind{"importance", SamplerType::Sobol, "pooled", 1, 1, Roulette::None, LightSelection::Power, 1,
+                           StartBy::Importance},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
                       Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},

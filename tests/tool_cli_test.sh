@@ -105,6 +105,11 @@ for selection in power uniform tree each; do
   expect 0 '' render box.pbrt -o s.exr --spp 8 --light-selection $selection --direct-samples 2 --direct-candidates 2
   expect 0 '' compare s.exr full.exr
 done
+for start in uniform importance; do
+  expect 0 '' render box.pbrt -o s.exr --spp 8 --light-start $start
+  expect 0 '' compare s.exr full.exr
+done
+expect 2 '^bdpt: .*choose one of: importance, power, uniform' render box.pbrt -o a.exr --light-start guess
 expect 2 '^bdpt: .*choose one of: each, power, tree, uniform' render box.pbrt -o a.exr --light-selection guess
 expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --direct-samples 0
 expect 3 '^bdpt: .*direct_candidates' render box.pbrt -o a.exr --direct-candidates 65

@@ -75,8 +75,8 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.sampler = static_cast<SamplerType>(desc.sampler);
   subject.check_range("strata", desc.strata, 0, kMaxStrata);
   options.strata = int(desc.strata == 0 ? kDefaultStrata : desc.strata);
-  subject.check_enum("light_start", desc.light_start, BDPT_LIGHT_START_UNIFORM);
-  options.uniform_light_start = desc.light_start == BDPT_LIGHT_START_UNIFORM;
+  subject.check_enum("light_start", desc.light_start, BDPT_LIGHT_START_IMPORTANCE);
+  options.light_start = static_cast<StartBy>(desc.light_start);
   options.plan = read_plan(subject, desc.plan);
   subject.check_range("connections", desc.connections, 0, kMaxConnections);
   const Plan& plan = *options.plan;

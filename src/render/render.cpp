@@ -6,6 +6,7 @@
 #include "transport/image_pilot.h"
 #include "transport/plan.h"
 #include "transport/stage_timer.h"
+#include "transport/start_pilot.h"
 #include "transport/strategy_pilot.h"
 
 #include <cmath>
@@ -117,12 +118,20 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
     booking_ =
         Booking(meter, executor_->worker_count() * in_flight * kBytesPerSample + engine_->direct_lighting.memory(),
                 "the render's blocks and tree of lights");
+    if (engine_->options.light_start == StartBy::Importance) find_starts();
     if (engine_->plan.pooled) make_pool(meter);
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {
     film_->release();
     throw;
   }
+}
+
+void Render::find_starts() {
+  const FloatMode mode;
+  StartPilot pilot = pilot_starts(*engine_);
+  stats_ += pilot.stats;
+  engine_->starts = std::move(pilot.starts);
 }
 
 void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {

@@ -47,11 +47,15 @@ struct Engine {
   bool hit_sensor;              // whether t = 0 is done at all
   RayRecorder* recorder = nullptr;
   ShadowRoulette roulette;
+  Discrete starts;  // of light subpaths: the lights' probabilities by importance, once a pilot has found it
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
   bool allows(uint32_t s, uint32_t t) const { return strategy.allows(s, t); }
   const Strategy& strategy_at(const FilmPosition& film) const { return map ? map->at(film) : strategy; }
+  LightChoice light_choice() const {
+    return {options.light_start == StartBy::Uniform, starts.empty() ? nullptr : &starts};
+  }
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool
   uint64_t samples_per_pass() const { return bounds.count(); }

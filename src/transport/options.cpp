@@ -9,7 +9,7 @@ namespace bdpt {
 
 uint64_t TransportOptions::hash() const {
   uint64_t h = hash_values(max_edges, int(heuristic), int(sampler), sampler == SamplerType::Stratified ? strata : 0,
-                           uniform_light_start, roulette_start);
+                           int(light_start), roulette_start);
   h = hash_bytes(techniques.rows.data(), sizeof(techniques.rows), h);
   const float numbers[] = {heuristic == Heuristic::Power ? beta : 0, heuristic == Heuristic::Cutoff ? cutoff : 0};
   h = hash_bytes(numbers, sizeof(numbers), h);

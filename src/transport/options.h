@@ -11,6 +11,8 @@ namespace bdpt {
 enum class Heuristic { Power, Balance, Cutoff, Maximum, Average, None };
 // Roulette of shadow rays.
 enum class Roulette { None, Fixed, Efficiency };
+// By what light subpaths choose their light: importance is what a pilot found a light to matter in this view.
+enum class StartBy { Power, Uniform, Importance };
 enum class SamplerType { Sobol, Independent, Stratified };
 
 // Which techniques (s,t) take part: bit t of row s, 31 standing for 31 and more.
@@ -43,7 +45,7 @@ struct TransportOptions {
   float cutoff = 0;
   SamplerType sampler = SamplerType::Sobol;
   int strata = 4;
-  bool uniform_light_start = false;
+  StartBy light_start = StartBy::Power;
   LightSelection light_selection = LightSelection::Power;  // of direct lighting alone
   int direct_samples = 1;     // light vertices of direct lighting at each eye vertex; where lights take turns, of each
   int direct_candidates = 1;  // of so many, each of them is chosen by its contribution

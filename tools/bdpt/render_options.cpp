@@ -26,6 +26,9 @@ const std::map<std::string, bdpt_light_selection> kLightSelections = {{"power", 
                                                                       {"uniform", BDPT_LIGHT_SELECTION_UNIFORM},
                                                                       {"tree", BDPT_LIGHT_SELECTION_TREE},
                                                                       {"each", BDPT_LIGHT_SELECTION_EACH}};
+const std::map<std::string, bdpt_light_start> kLightStarts = {{"power", BDPT_LIGHT_START_POWER},
+                                                              {"uniform", BDPT_LIGHT_START_UNIFORM},
+                                                              {"importance", BDPT_LIGHT_START_IMPORTANCE}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -99,6 +102,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
       .add_option("--roulette-threshold", options.roulette_threshold,
                   "Contributions below it, in units of a pixel's value, are tested in proportion (--roulette fixed)")
       ->check(positive());
+  add_choice(command, "--light-start", options.light_start, kLightStarts,
+             "How light subpaths choose a light: power (default), uniform, or importance: what it brings to this view");
   add_choice(command, "--light-selection", options.light_selection, kLightSelections,
              "How direct lighting chooses a light: power (default), uniform, tree (for many lights), or each in turn");
   command

@@ -302,4 +302,58 @@ void own_automatic(Report& report) {
                      (missed.empty() ? "." : "; it has less in: " + missed + "."));
 }
 
+void own_light_start(Report& report) {
+  const Setting& setting = report.setting();
+  const NamedScene scenes[] = {
+      {"door ajar, ten lamps in vain",
+       [&] {
+         SceneDescription scene = bitterli_scene(setting, "veach-ajar");
+         add_unreachable_emitters(scene);
+         return scene;
+       }},
+      {"stacked houses", [] { return stacked_houses(); }},
+      {"egg room", [&] { return bitterli_scene(setting, "veach-bidir"); }},
+      {"hall of 100 lamps", [] { return lamp_hall(100); }},
+      {"hall of 10,000 lamps", [] { return lamp_hall(10000); }},
+  };
+  std::vector<Variant> variants;
+  for (const char* plan : {"one-to-one", "pooled", "matrix"})
+    for (const bool importance : {false, true}) {
+      variants.push_back(of_plan(plan));
+      if (!importance) continue;
+      variants.back().name += ", importance";
+      variants.back().light_start = BDPT_LIGHT_START_IMPORTANCE;
+    }
+  Table table{"By importance over by power", {"scene"}, {}};
+  for (std::size_t v = 0; v < variants.size(); v += 2)
+    for (const char* what : {": efficiency", ": at the same samples"}) table.columns.push_back(variants[v].name + what);
+  std::size_t better = 0, worse = 0;
+  for (const NamedScene& scene : scenes) {
+    std::vector<Contestant> contestants;
+    try {
+      const Stage stage = build_stage(scene.make(), setting.pick(320, 96, 16), setting);
+      ContestOptions options;
+      options.max_edges = 6;
+      options.passes = setting.pick(64, 32, 8);
+      options.turns = setting.pick(16, 6, 2);
+      contestants = hold(stage, variants, options);
+    } catch (const SceneMissing& missing) {
+      report.note(std::string(missing.what()) + ", and is left out.");
+      continue;
+    }
+    table.rows.push_back({std::string(scene.name)});
+    for (std::size_t v = 0; v < contestants.size(); v += 2) {
+      const Checkpoint &power = contestants[v].end(), &importance = contestants[v + 1].end();
+      const Estimate ratio = efficiency_ratio(importance, power);
+      table.rows.back().push_back(ratio);
+      table.rows.back().push_back(sample_ratio(importance, power));
+      better += above(ratio, 1), worse += below(ratio, 1);
+    }
+  }
+  report.measured("Paths of up to 6 edges; the pilot's time is not in the efficiency: it is that of one short pass.");
+  report.add(std::move(table));
+  report.verdict(Verdict::Told, "Better in " + std::to_string(better) + " of " + std::to_string(3 * std::size(scenes)) +
+                                    " contests, worse in " + std::to_string(worse) + ".");
+}
+
 }  // namespace bdpt_experiments

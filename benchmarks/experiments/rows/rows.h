@@ -35,5 +35,6 @@ void own_threads(Report& report);
 void own_length(Report& report);
 void own_automatic(Report& report);
 void own_plans(Report& report);
+void own_light_start(Report& report);
 
 }  // namespace bdpt_experiments
