@@ -649,6 +649,11 @@ typedef int32_t bdpt_partners;
 #define BDPT_PARTNERS_SOBOL 0           /* a (0,2) sequence over the ordered matrix: neighbours differ */
 #define BDPT_PARTNERS_LATIN_HYPERCUBE 1 /* Chaitanya et al. */
 
+/* How the pooled plan chooses the light vertices that an eye vertex meets, among all of the pass. */
+typedef int32_t bdpt_pool_selection;
+#define BDPT_POOL_SELECTION_UNIFORM 0    /* each alike */
+#define BDPT_POOL_SELECTION_IMPORTANCE 1 /* half by the light that arrives at them, half alike */
+
 typedef struct bdpt_render_desc {
   uint32_t struct_size;
   uint32_t max_edges;           /* longest path, k edges; 0 = no limit */
@@ -680,6 +685,8 @@ typedef struct bdpt_render_desc {
                                    BDPT_LIGHT_SELECTION_EACH on each light; [1,64]; 0 = 1 */
   uint32_t direct_candidates;   /* each of them is chosen among so many by what it would contribute without shadows,
                                    [1,64]; 0 = 1 */
+  bdpt_pool_selection pool_selection; /* pooled: how light vertices are chosen; else 0 */
+  uint32_t reserved;
 } bdpt_render_desc;
 
 /* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.

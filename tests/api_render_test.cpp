@@ -66,6 +66,9 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.pool_passes = 8; });
   refused([](auto& d) { d.plan = "matrix", d.pool_passes = 65; });
   refused([](auto& d) { d.plan = "matrix", d.first_pass = 4; });  // cuts through a pool
+  EXPECT_OK(try_render([](auto& d) { d.plan = "pooled", d.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE; }));
+  refused([](auto& d) { d.plan = "pooled", d.pool_selection = 2; });
+  refused([](auto& d) { d.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE; });
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
   EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; }));

@@ -24,6 +24,7 @@ struct Kind {
   LightSelection selection = LightSelection::Power;
   int direct_samples = 1;
   StartBy light_start = StartBy::Power;
+  PoolSelection pool_selection = PoolSelection::Uniform;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -45,6 +46,7 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.light_selection = GetParam().selection;
     d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
     d.transport.light_start = GetParam().light_start;
+    d.transport.pool_selection = GetParam().pool_selection;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -209,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
                       Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
                       Kind{"importance", SamplerType::Sobol, "pooled", 1, 1, Roulette::None, LightSelection::Power, 1,
-                           StartBy::Importance},
+                           StartBy::Importance, PoolSelection::Importance},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
                       Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},

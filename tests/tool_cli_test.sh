@@ -105,6 +105,9 @@ for selection in power uniform tree each; do
   expect 0 '' render box.pbrt -o s.exr --spp 8 --light-selection $selection --direct-samples 2 --direct-candidates 2
   expect 0 '' compare s.exr full.exr
 done
+expect 0 '' render box.pbrt -o s.exr --spp 8 --integrator pooled --pool-selection importance
+expect 0 '' compare s.exr full.exr
+expect 3 '^bdpt: .*pool_selection.*no pool' render box.pbrt -o a.exr --pool-selection importance
 for start in uniform importance; do
   expect 0 '' render box.pbrt -o s.exr --spp 8 --light-start $start
   expect 0 '' compare s.exr full.exr

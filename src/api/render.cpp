@@ -93,6 +93,12 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.order = static_cast<Order>(desc.order);
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
   options.partners = static_cast<Partners>(desc.partners);
+  subject.check_enum("pool_selection", desc.pool_selection, BDPT_POOL_SELECTION_IMPORTANCE);
+  options.pool_selection = static_cast<PoolSelection>(desc.pool_selection);
+  if (options.pool_selection != PoolSelection::Uniform && !plan.pooled)
+    subject.refuse("pool_selection", "is set, but the plan ", plan.name,
+                   " has no pool of a pass: give BDPT_POOL_SELECTION_UNIFORM, or the plan pooled");
+  subject.check_reserved("reserved", desc.reserved);
   read_shadow_roulette(subject, desc, options);
   read_direct_lighting(subject, desc, options);
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);

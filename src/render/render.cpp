@@ -139,7 +139,9 @@ void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {
   const LightPilot pilot = pilot_light(*engine_);
   stats_ += pilot.stats;
   engine_->set_counts(pilot.joinable);
-  const double bytes = pilot.vertices * kPoolReserve * (sizeof(Vertex) + 8) + sizeof(LightStart) + sizeof(Stream) + 4;
+  const double bytes = pilot.vertices * kPoolReserve *
+                           (sizeof(Vertex) + 8 + LightPool::bytes_of_choice(engine_->options.pool_selection)) +
+                       sizeof(LightStart) + sizeof(Stream) + 4;
   pool_booking_ =
       Booking(meter, uint64_t(double(engine_->light_per_pass()) * bytes), "the plan's pool of light subpaths");
   pool_ = std::make_unique<LightPool>();
@@ -230,7 +232,7 @@ bool Render::fill_pool(Call& call) {
     restart_pass();
     return false;
   }
-  pool_->finish();
+  pool_->finish(engine_->options.pool_selection);
   return pool_filled_ = true;
 }
 

@@ -21,6 +21,10 @@ uint64_t TransportOptions::hash() const {
     h = hash_values(h, int(shadow_roulette));
     if (shadow_roulette == Roulette::Fixed) h = hash_bytes(&shadow_threshold, sizeof(shadow_threshold), h);
   }
+  if (pool_selection != PoolSelection::Uniform) {
+    constexpr uint64_t pool = 0x6c6f6f70;  // unlike any numbers above
+    h = hash_values(h, pool, int(pool_selection));
+  }
   if (chain_pixels != 0 || chain_candidates != 0) h = hash_values(h, chain_pixels, chain_candidates);
   if (light_selection != LightSelection::Power || direct_samples != 1 || direct_candidates != 1) {
     constexpr uint64_t direct = 0x746365726964;  // unlike any numbers above

@@ -29,6 +29,9 @@ struct Plan;  // plan.h
 enum class Order { Metric, Hilbert, None };
 enum class Partners { Sobol, LatinHypercube };
 
+// How the pooled plan chooses among the light vertices of a pass.
+enum class PoolSelection { Uniform, Importance };
+
 struct TransportOptions {
   const Plan* plan = nullptr;  // nullptr = one to one
   int connections = 0;    // light vertices that an eye vertex meets, where the plan lets choose; 0 = its own number
@@ -36,6 +39,7 @@ struct TransportOptions {
   int pool_passes = 0;    // passes that the plan takes at once, where it does; 0 = its own number
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
+  PoolSelection pool_selection = PoolSelection::Uniform;
   int chain_pixels = 0;      // mmlt: pixels whose mutations one chain makes, in each pass; 0 = its own number
   int chain_candidates = 0;  // mmlt: samples of Veach's plan for each chain; 0 = its own number
   int max_edges = 0;         // longest path k; 0 = no limit

@@ -29,6 +29,8 @@ const std::map<std::string, bdpt_light_selection> kLightSelections = {{"power", 
 const std::map<std::string, bdpt_light_start> kLightStarts = {{"power", BDPT_LIGHT_START_POWER},
                                                               {"uniform", BDPT_LIGHT_START_UNIFORM},
                                                               {"importance", BDPT_LIGHT_START_IMPORTANCE}};
+const std::map<std::string, bdpt_pool_selection> kPoolSelections = {{"uniform", BDPT_POOL_SELECTION_UNIFORM},
+                                                                    {"importance", BDPT_POOL_SELECTION_IMPORTANCE}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -93,6 +95,9 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
              "Order of subpaths in matrix: metric (default), hilbert, none");
   add_choice(command, "--partners", options.partners, kPartners,
              "How matrix chooses partners: sobol (default) or latin-hypercube");
+  add_choice(
+      command, "--pool-selection", options.pool_selection, kPoolSelections,
+      "How pooled chooses light vertices: uniform (default), or importance: half by the light that arrives there");
   command.add_option("--light-samples", options.light_samples, "Light subpaths for each eye subpath (default 1)")
       ->check(positive());
   add_choice(command, "--roulette", options.roulette, kRoulettes,

@@ -30,6 +30,7 @@ struct RenderOptions {
   bdpt_partners partners = BDPT_PARTNERS_SOBOL;
   bdpt_shadow_roulette roulette = BDPT_SHADOW_ROULETTE_NONE;
   float roulette_threshold = 0;
+  bdpt_pool_selection pool_selection = BDPT_POOL_SELECTION_UNIFORM;
   bdpt_light_start light_start = BDPT_LIGHT_START_POWER;
   bdpt_light_selection light_selection = BDPT_LIGHT_SELECTION_POWER;
   std::uint32_t direct_samples = 0, direct_candidates = 0;  // 0 = the default
