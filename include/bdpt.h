@@ -686,7 +686,8 @@ typedef struct bdpt_render_desc {
   uint32_t direct_candidates;   /* each of them is chosen among so many by what it would contribute without shadows,
                                    [1,64]; 0 = 1 */
   bdpt_pool_selection pool_selection; /* pooled: how light vertices are chosen; else 0 */
-  uint32_t reserved;
+  uint32_t correlation_aware;   /* 1: the weights count connections that share an eye subpath as fewer than they are:
+                                   Grittmann et al. (2021); one-to-one, pooled, matrix, combinatorial; costs time */
 } bdpt_render_desc;
 
 /* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.

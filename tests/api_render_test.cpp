@@ -69,6 +69,11 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   EXPECT_OK(try_render([](auto& d) { d.plan = "pooled", d.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE; }));
   refused([](auto& d) { d.plan = "pooled", d.pool_selection = 2; });
   refused([](auto& d) { d.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE; });
+  for (const char* plan : {"one-to-one", "pooled", "matrix", "combinatorial"})
+    EXPECT_OK(try_render([=](auto& d) { d.plan = plan, d.correlation_aware = 1; }));
+  refused([](auto& d) { d.correlation_aware = 2; });
+  for (const char* plan : {"two-way", "mmlt", "automatic"})
+    refused([=](auto& d) { d.plan = plan, d.correlation_aware = 1; });
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
   EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; }));

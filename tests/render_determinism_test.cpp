@@ -25,6 +25,7 @@ struct Kind {
   int direct_samples = 1;
   StartBy light_start = StartBy::Power;
   PoolSelection pool_selection = PoolSelection::Uniform;
+  bool correlation_aware = false;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -47,6 +48,7 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
     d.transport.light_start = GetParam().light_start;
     d.transport.pool_selection = GetParam().pool_selection;
+    d.transport.correlation_aware = GetParam().correlation_aware;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -211,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
                       Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
                       Kind{"importance", SamplerType::Sobol, "pooled", 1, 1, Roulette::None, LightSelection::Power, 1,
-                           StartBy::Importance, PoolSelection::Importance},
+                           StartBy::Importance, PoolSelection::Importance, true},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
                       Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},

@@ -108,6 +108,9 @@ done
 expect 0 '' render box.pbrt -o s.exr --spp 8 --integrator pooled --pool-selection importance
 expect 0 '' compare s.exr full.exr
 expect 3 '^bdpt: .*pool_selection.*no pool' render box.pbrt -o a.exr --pool-selection importance
+expect 0 '' render box.pbrt -o s.exr --spp 8 --integrator combinatorial --correlation-aware
+expect 0 '' compare s.exr full.exr
+expect 3 '^bdpt: .*correlation_aware.*no two samples' render box.pbrt -o a.exr --integrator two-way --correlation-aware
 for start in uniform importance; do
   expect 0 '' render box.pbrt -o s.exr --spp 8 --light-start $start
   expect 0 '' compare s.exr full.exr

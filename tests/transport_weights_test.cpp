@@ -2,6 +2,8 @@
 // from the scene's own functions, without anything the engine keeps at its vertices.
 #include "rendering.h"
 #include "transport/block.h"
+#include "transport/correlation.h"
+#include "transport/plan.h"
 #include "transport/start_pilot.h"
 
 namespace bdpt {
@@ -208,13 +210,16 @@ TransportOptions with(TransportOptions options, const Kind& kind) {
 }
 
 void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start, const TechniqueMask& mask,
-                            LightSelection selection = LightSelection::Power, int direct_samples = 1) {
+                            LightSelection selection = LightSelection::Power, int direct_samples = 1,
+                            bool correlation_aware = false) {
   const ScenePointer scene = scenes::room(room).build();
   const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
   TransportOptions options = options_for(mask, kMaxEdges);
   options.light_start = light_start;
   options.light_selection = selection;
   options.direct_samples = direct_samples;
+  options.correlation_aware = correlation_aware;
+  if (correlation_aware) options.plan = find_plan("combinatorial");  // many share an eye subpath
   OneSample plain(*scene, *camera, with(options, {"none", Heuristic::None}));
   std::vector<std::unique_ptr<OneSample>> weighted;
   for (const Kind& kind : kHeuristics)
@@ -234,6 +239,7 @@ void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
       techniques.s0_exists = p.path.light.has_area;
       techniques.counts.direct = float(direct_samples);
+      if (correlation_aware) techniques.counts.connections = plain.engine().counts.connections;
       for (size_t i = 0; i < kHeuristics.size(); ++i) {
         const TransportOptions& o = weighted[i]->engine().options;
         const std::string what = kHeuristics[i].name + " (" + std::to_string(p.s) + "," + std::to_string(p.t) + ")";
@@ -280,6 +286,37 @@ TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithEveryLightInTurn) {
   expect_product_weights({.points = true, .lantern = true}, StartBy::Power, {}, LightSelection::Each, 2);
 }
 
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithCorrelation) {
+  expect_product_weights({.points = true}, StartBy::Power, {}, LightSelection::Power, 1, true);
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndCorrelation) {
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, StartBy::Uniform, {},
+                         LightSelection::Power, 1, true);
+}
+
+// What counts for 100 connections of paths of four edges, by hand: A is 1 here, as the eye's density at x_3 says.
+TEST(TransportWeights, OfConnectionsThatShareARareEyeSubpathCountFewer) {
+  std::vector<PathVertex> x(5, {1e-3, 1e-3, false});
+  x[3].eye = 1.4e-3;
+  PathTechniques path{x.data(), 5};
+  path.counts.connections = 100;
+  const auto counts = [&] {
+    std::vector<double> n = {1, 1, 100, 100, 1, 1};
+    count_correlated(path, n.data());
+    EXPECT_EQ(n[0], 1), EXPECT_EQ(n[1], 1), EXPECT_EQ(n[4], 1), EXPECT_EQ(n[5], 1);
+    EXPECT_DOUBLE_EQ(n[3], 100);  // x_3 is seen in each pixel
+    return n[2];
+  };
+  // (2,3) shares x_2, which the eye finds by 1e-3; light finds x_0 and x_1 by 1e-6: light is rarer.
+  EXPECT_NEAR(counts(), 100 * 1e-3 / (1e-3 + 1e-6 - 1e-9), 1e-9);
+  x[0].light = x[1].light = 10;  // any light subpath comes by
+  EXPECT_NEAR(counts(), 1, 1e-12);
+  x[1].light = 0.01;
+  EXPECT_NEAR(counts(), 100 * 1e-3 / (1e-3 + 0.01 - 1e-5), 1e-9);
+  x[3].specular = true;  // there is no choice of x_2
+  EXPECT_NEAR(counts(), 100, 1e-12);
+}
+
 // Random densities, specular vertices, techniques that do not exist: whatever the path, the weights sum to one.
 TEST(TransportWeights, OfRandomDensitiesSumToOne) {
   statistics::Uniform uniform(3);
@@ -298,6 +335,7 @@ TEST(TransportWeights, OfRandomDensitiesSumToOne) {
     TransportOptions options;
     for (uint32_t& row : options.techniques.rows) row = ~(uniform() < 0.3f ? 1u << int(uniform() * 10) : 0);
     options.techniques.rows[0] = ~0u;  // s = 0 covers every path
+    options.correlation_aware = uniform() < 0.5f;
     for (const Kind& kind : kHeuristics) {
       double sum = 0;
       for (int s = 0; s <= k + 1; ++s) sum += reference_weight(path, s, with(options, kind));

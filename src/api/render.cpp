@@ -98,7 +98,12 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   if (options.pool_selection != PoolSelection::Uniform && !plan.pooled)
     subject.refuse("pool_selection", "is set, but the plan ", plan.name,
                    " has no pool of a pass: give BDPT_POOL_SELECTION_UNIFORM, or the plan pooled");
-  subject.check_reserved("reserved", desc.reserved);
+  subject.check_range("correlation_aware", desc.correlation_aware, 0, 1);
+  options.correlation_aware = desc.correlation_aware == 1;
+  if (options.correlation_aware && (plan.chains || plan.chooses || !plan.serves(2, 2)))
+    subject.refuse("correlation_aware", "is 1, but with the plan ", plan.name,
+                   plan.chooses ? " weights are those of tiles: give 0, or another plan"
+                                : " no two samples share an eye subpath: give 0, or another plan");
   read_shadow_roulette(subject, desc, options);
   read_direct_lighting(subject, desc, options);
   subject.check_range("light_samples", desc.light_samples, 0, kMaxLightSamples);

@@ -25,6 +25,10 @@ uint64_t TransportOptions::hash() const {
     constexpr uint64_t pool = 0x6c6f6f70;  // unlike any numbers above
     h = hash_values(h, pool, int(pool_selection));
   }
+  if (correlation_aware) {
+    constexpr uint64_t correlation = 0x6c6572726f63;
+    h = hash_values(h, correlation);
+  }
   if (chain_pixels != 0 || chain_candidates != 0) h = hash_values(h, chain_pixels, chain_candidates);
   if (light_selection != LightSelection::Power || direct_samples != 1 || direct_candidates != 1) {
     constexpr uint64_t direct = 0x746365726964;  // unlike any numbers above

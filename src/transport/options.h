@@ -47,6 +47,7 @@ struct TransportOptions {
   Heuristic heuristic = Heuristic::Power;
   float beta = 2;
   float cutoff = 0;
+  bool correlation_aware = false;  // correlation.h
   SamplerType sampler = SamplerType::Sobol;
   int strata = 4;
   StartBy light_start = StartBy::Power;

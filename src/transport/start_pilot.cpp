@@ -36,6 +36,7 @@ Discrete mixed(const std::vector<double>& power) {
 TransportOptions pilot_options(const Engine& engine) {
   TransportOptions options = engine.options;
   options.plan = nullptr;
+  options.techniques = engine.strategy.techniques;
   options.connections = options.pool_passes = 0;
   options.light_samples = options.direct_samples = options.direct_candidates = 1;
   options.shadow_roulette = Roulette::None;

@@ -127,6 +127,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--beta", options.beta, "Exponent of the power heuristic (default 2)")->check(positive());
   command.add_option("--cutoff", options.cutoff, "Threshold of the cutoff heuristic, 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
+  command.add_flag("--correlation-aware", options.correlation_aware,
+                   "Weights count connections that share an eye subpath as fewer (Grittmann et al. 2021); slower");
   add_choice(command, "--sampler", options.sampler, kSamplers, "sobol (default), independent or stratified");
 }
 

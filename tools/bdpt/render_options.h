@@ -36,6 +36,7 @@ struct RenderOptions {
   std::uint32_t direct_samples = 0, direct_candidates = 0;  // 0 = the default
   bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
   float beta = 0, cutoff = 0;
+  bool correlation_aware = false;
   bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
   std::optional<bdpt_filter> filter;
   float filter_radius = 0;
