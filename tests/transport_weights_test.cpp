@@ -303,7 +303,7 @@ TEST(TransportWeights, OfConnectionsThatShareARareEyeSubpathCountFewer) {
   const auto counts = [&] {
     std::vector<double> n = {1, 1, 100, 100, 1, 1};
     count_correlated(path, n.data());
-    EXPECT_EQ(n[0], 1), EXPECT_EQ(n[1], 1), EXPECT_EQ(n[4], 1), EXPECT_EQ(n[5], 1);
+    for (size_t i : {0u, 1u, 4u, 5u}) EXPECT_EQ(n[i], 1);
     EXPECT_DOUBLE_EQ(n[3], 100);  // x_3 is seen in each pixel
     return n[2];
   };

@@ -51,6 +51,8 @@ const Experiment kExperiments[] = {
     {"own-plans", "this library", "Every plan on every scene", "No paper tells which plan to pick.", own_plans},
     {"own-light-start", "this library", "Light subpaths by importance",
      "Veach (1997), 10.7: light subpaths that start where they matter to the picture.", own_light_start},
+    {"own-pool", "this library", "Pools: vertices by importance, weights that know of correlation",
+     "Grittmann et al. (2021): weights should count samples that share a subpath as fewer.", own_pool},
     {"own-lights", "this library", "From one lamp to 10,000", "", own_lights},
     {"own-triangles", "this library", "From ten thousand triangles to 50 million", "", own_triangles},
     {"own-pixels", "this library", "Small pictures and large", "", own_pixels},

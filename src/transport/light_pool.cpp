@@ -39,6 +39,7 @@ LightPool::Entry LightPool::choose(double u, double& one_in) const {
     one_in = double(vertices());
     rank = std::min(uint64_t(u * one_in), vertices() - 1);
   } else {
+    u = std::min(u, 0x1.fffffffffffffp-1);  // a stratum's end is rounded
     rank = by_importance_.sample(u);
     one_in = 1 / double(by_importance_.probability(rank));
   }
