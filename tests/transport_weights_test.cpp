@@ -239,7 +239,7 @@ void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
       techniques.s0_exists = p.path.light.has_area;
       techniques.counts.direct = float(direct_samples);
-      if (correlation_aware) techniques.counts.connections = plain.engine().counts.connections;
+      if (correlation_aware) techniques.counts.connections = plain.engine().strategy.counts.connections;
       for (size_t i = 0; i < kHeuristics.size(); ++i) {
         const TransportOptions& o = weighted[i]->engine().options;
         const std::string what = kHeuristics[i].name + " (" + std::to_string(p.s) + "," + std::to_string(p.t) + ")";
