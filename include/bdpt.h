@@ -634,8 +634,11 @@ typedef int32_t bdpt_adaptive;
                                       best in multiples of four passes for each of the film's groups */
 
 typedef int32_t bdpt_light_start;
-#define BDPT_LIGHT_START_POWER 0   /* light subpaths start by emitted power */
-#define BDPT_LIGHT_START_UNIFORM 1 /* every light alike */
+#define BDPT_LIGHT_START_POWER 0      /* light subpaths start by emitted power */
+#define BDPT_LIGHT_START_UNIFORM 1    /* every light alike */
+#define BDPT_LIGHT_START_IMPORTANCE 2 /* by what each light's subpaths bring to this view, and a tenth by power: Veach
+                                         (1997), 10.7. bdpt_render_create traces a pilot of 8192 to 65536 samples to
+                                         find it; they count in the statistics */
 
 /* How direct lighting (s = 1) chooses a light for the point that is lit. A light is a point, a spot, an environment, or
  * an instance that emits. */
@@ -654,6 +657,11 @@ typedef int32_t bdpt_order;
 typedef int32_t bdpt_partners;
 #define BDPT_PARTNERS_SOBOL 0           /* a (0,2) sequence over the ordered matrix: neighbours differ */
 #define BDPT_PARTNERS_LATIN_HYPERCUBE 1 /* Chaitanya et al. */
+
+/* How the pooled plan chooses the light vertices that an eye vertex meets, among all of the pass. */
+typedef int32_t bdpt_pool_selection;
+#define BDPT_POOL_SELECTION_UNIFORM 0    /* each alike */
+#define BDPT_POOL_SELECTION_IMPORTANCE 1 /* half by the light that arrives at them, half alike */
 
 typedef struct bdpt_render_desc {
   uint32_t struct_size;
@@ -688,6 +696,9 @@ typedef struct bdpt_render_desc {
                                    [1,64]; 0 = 1 */
   bdpt_adaptive adaptive;       /* sampling of the image plane; none with mmlt */
   uint32_t reserved;            /* 0 */
+  bdpt_pool_selection pool_selection; /* pooled: how light vertices are chosen; else 0 */
+  uint32_t correlation_aware;   /* 1: the weights count connections that share an eye subpath as fewer than they are:
+                                   Grittmann et al. (2021); one-to-one, pooled, matrix, combinatorial; costs time */
 } bdpt_render_desc;
 
 /* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.

@@ -47,7 +47,8 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.cutoff = kNan; });
   refused([](auto& d) { d.sampler = 3; });
   refused([](auto& d) { d.strata = 257; });
-  refused([](auto& d) { d.light_start = 2; });
+  refused([](auto& d) { d.light_start = 3; });
+  EXPECT_OK(try_render([](auto& d) { d.light_start = BDPT_LIGHT_START_IMPORTANCE; }));
   refused([](auto& d) { d.block_size = 65537; });
   refused([](auto& d) { d.plan = "no such plan"; });
   refused([](auto& d) { d.connections = 2; });  // one-to-one does not choose
@@ -65,6 +66,14 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.pool_passes = 8; });
   refused([](auto& d) { d.plan = "matrix", d.pool_passes = 65; });
   refused([](auto& d) { d.plan = "matrix", d.first_pass = 4; });  // cuts through a pool
+  EXPECT_OK(try_render([](auto& d) { d.plan = "pooled", d.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE; }));
+  refused([](auto& d) { d.plan = "pooled", d.pool_selection = 2; });
+  refused([](auto& d) { d.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE; });
+  for (const char* plan : {"one-to-one", "pooled", "matrix", "combinatorial"})
+    EXPECT_OK(try_render([=](auto& d) { d.plan = plan, d.correlation_aware = 1; }));
+  refused([](auto& d) { d.correlation_aware = 2; });
+  for (const char* plan : {"two-way", "mmlt", "automatic"})
+    refused([=](auto& d) { d.plan = plan, d.correlation_aware = 1; });
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
   EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; }));

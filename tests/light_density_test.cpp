@@ -30,18 +30,26 @@ std::shared_ptr<const Scene> all_lights() {
 const Vec3 kPlaces[] = {Vec3(0.3f, 0.4f, 0.7f), Vec3(2.1f, 0.1f, 1.2f), Vec3(-2, 0, 1), Vec3(2, 0, 3),
                         Vec3(0.1f, 0.2f, -3)};
 
+// Probabilities that are neither those of power nor all alike.
+Discrete uneven(size_t lights) {
+  std::vector<double> weights;
+  for (size_t i = 0; i < lights; ++i) weights.push_back(double(1 + i * 3 % lights));
+  return Discrete(weights);
+}
+
 TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
   const auto scene = all_lights();
   const Lights& lights = scene->lights();
   Uniform uniform(1);
   std::vector<int> seen(lights.count());
-  for (const bool evenly : {false, true})
+  const Discrete table = uneven(lights.count());
+  for (const LightChoice& by : {LightChoice{}, LightChoice{.uniform = true}, LightChoice{.table = &table}})
     for (int i = 0; i < 20000; ++i) {
       const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
-      ASSERT_TRUE(lights.start(u, v, evenly, start));
+      ASSERT_TRUE(lights.start(u, v, by, start));
       ++seen[size_t(start.y0.light)];
-      EXPECT_FLOAT_EQ(start.density_position, lights.position_density(start.y0, evenly));
+      EXPECT_FLOAT_EQ(start.density_position, lights.position_density(start.y0, by));
       EXPECT_FLOAT_EQ(start.density_direction, lights.direction_density(start.y0, start.direction));
       EXPECT_NEAR(length(start.direction), 1, 1e-5);
       const Rgb radiance =
@@ -69,13 +77,14 @@ TEST(LightDensity, StartsCarryThePower) {
   const double expected[] = {
       1 * M_PI * 2, 2 * M_PI * disk * 2,       3 * M_PI * 4 * M_PI * 0.25, M_PI * 4 * M_PI * 0.49 * 2, 2 * 4 * M_PI,
       5 * spot,     0.5 * 4 * M_PI * M_PI * r2};
-  for (const bool evenly : {false, true}) {
+  const Discrete table = uneven(lights.count());
+  for (const LightChoice& by : {LightChoice{}, LightChoice{.uniform = true}, LightChoice{.table = &table}}) {
     Uniform uniform(2);
     std::vector<Estimate> power(lights.count());
     for (int i = 0; i < 200000; ++i) {
       const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
-      ASSERT_TRUE(lights.start(u, v, evenly, start));
+      ASSERT_TRUE(lights.start(u, v, by, start));
       for (size_t k = 0; k < power.size(); ++k) power[k].add(int(k) == start.y0.light ? double(start.weight.r) : 0);
     }
     for (size_t k = 0; k < power.size(); ++k)
@@ -136,7 +145,7 @@ TEST(LightDensity, OfDirectLightingIntegratesToOne) {
       for (int i = 0; i < 200000; ++i) {
         const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
         LightStart start;
-        ASSERT_TRUE(lights.start(u, v, true, start));
+        ASSERT_TRUE(lights.start(u, v, {true}, start));
         integral.add(lighting.density(start.y0, x) / start.density_position);
       }
       EXPECT_LT(deviation(integral, lighting.turns(), 1e-4 * lighting.turns()), kMaxDeviation)
@@ -206,7 +215,7 @@ TEST(LightDensity, TransformedMeshesShineFromTheirFrontOverTheirTrueArea) {
     for (int i = 0; i < 100; ++i) {
       const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
       LightStart start;
-      ASSERT_TRUE(scene->lights().start(u, v, false, start));
+      ASSERT_TRUE(scene->lights().start(u, v, {}, start));
       EXPECT_NEAR(start.density_position, 1 / 6.0, 1e-6);
       EXPECT_NEAR(start.y0.normal.z, 1, 1e-6) << turn;
       EXPECT_GT(start.direction.z, 0);

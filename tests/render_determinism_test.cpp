@@ -24,6 +24,9 @@ struct Kind {
   LightSelection selection = LightSelection::Power;
   int direct_samples = 1;
   Adaptive adaptive = Adaptive::None;
+  StartBy light_start = StartBy::Power;
+  PoolSelection pool_selection = PoolSelection::Uniform;
+  bool correlation_aware = false;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -45,6 +48,9 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.light_selection = GetParam().selection;
     d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
     d.transport.adaptive = GetParam().adaptive;
+    d.transport.light_start = GetParam().light_start;
+    d.transport.pool_selection = GetParam().pool_selection;
+    d.transport.correlation_aware = GetParam().correlation_aware;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -208,6 +214,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
                       Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
+                      Kind{.name = "importance",
+                           .sampler = SamplerType::Sobol,
+                           .plan = "pooled",
+                           .light_start = StartBy::Importance,
+                           .pool_selection = PoolSelection::Importance,
+                           .correlation_aware = true},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
                       Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},

@@ -108,6 +108,17 @@ for selection in power uniform tree each; do
   expect 0 '' render box.pbrt -o s.exr --spp 8 --light-selection $selection --direct-samples 2 --direct-candidates 2
   expect 0 '' compare s.exr full.exr
 done
+expect 0 '' render box.pbrt -o s.exr --spp 8 --integrator pooled --pool-selection importance
+expect 0 '' compare s.exr full.exr
+expect 3 '^bdpt: .*pool_selection.*no pool' render box.pbrt -o a.exr --pool-selection importance
+expect 0 '' render box.pbrt -o s.exr --spp 8 --integrator combinatorial --correlation-aware
+expect 0 '' compare s.exr full.exr
+expect 3 '^bdpt: .*correlation_aware.*no two samples' render box.pbrt -o a.exr --integrator two-way --correlation-aware
+for start in uniform importance; do
+  expect 0 '' render box.pbrt -o s.exr --spp 8 --light-start $start
+  expect 0 '' compare s.exr full.exr
+done
+expect 2 '^bdpt: .*choose one of: importance, power, uniform' render box.pbrt -o a.exr --light-start guess
 expect 2 '^bdpt: .*choose one of: each, power, tree, uniform' render box.pbrt -o a.exr --light-selection guess
 expect 2 '^bdpt: .*greater than zero' render box.pbrt -o a.exr --direct-samples 0
 expect 3 '^bdpt: .*direct_candidates' render box.pbrt -o a.exr --direct-candidates 65

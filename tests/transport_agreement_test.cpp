@@ -56,7 +56,7 @@ std::vector<Way> heuristics() {
 
 // Each way against each other and against all techniques; `effort` multiplies the passes.
 void expect_agreement(const RoomOptions& room, const scenes::Viewpoint& view, std::vector<Way> ways, uint64_t effort,
-                      bool uniform_light_start = false) {
+                      StartBy light_start = StartBy::Power) {
   const ScenePointer scene = scenes::room(room).build();
   const SensorPointer camera = scenes::camera(view, kSize, kSize);
   ways.push_back(whole());
@@ -64,7 +64,7 @@ void expect_agreement(const RoomOptions& room, const scenes::Viewpoint& view, st
   std::vector<std::string> names;
   for (const Way& w : ways) {
     TransportOptions options = w.options;
-    options.uniform_light_start = uniform_light_start;
+    options.light_start = light_start;
     means.push_back(block_means(scene, camera, options, {.passes = effort * w.passes, .first_seed = means.size() + 1}));
     names.push_back(w.name);
   }
@@ -86,12 +86,13 @@ TEST(TransportAgreement, EveryHeuristicGivesTheSamePicture) {
 }
 
 TEST(TransportAgreement, EveryHeuristicGivesTheSamePictureThroughALensWithUniformLightStart) {
-  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), 2, true);
+  expect_agreement({.points = true, .environment = true}, scenes::room_view_through_lens(), heuristics(), 2,
+                   StartBy::Uniform);
 }
 
 TEST(TransportAgreement, GlossySurfacesAndAnEnvironment) {
   expect_agreement({.contents = Contents::Glossy, .environment = true}, scenes::room_view(),
-                   {path(), light(), two_way(), no_light_image(), no_hits()}, 3, true);
+                   {path(), light(), two_way(), no_light_image(), no_hits()}, 3, StartBy::Uniform);
 }
 
 TEST(TransportAgreement, GlassAndMirrors) {

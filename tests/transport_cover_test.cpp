@@ -34,7 +34,7 @@ int plans() {
   while (plan_at(size_t(n))) ++n;
   return n;
 }
-Choice sizes() { return {plans(), 5, 3, 3, 3, 2, 2, 3, 2, 2}; }
+Choice sizes() { return {plans(), 5, 3, 3, 3, 2, 3, 3, 2, 2}; }
 
 // Greedy: each row takes, factor by factor, what meets most pairs that are not met yet.
 std::vector<Choice> pairwise_cover(const Choice& sizes) {
@@ -88,7 +88,7 @@ TransportOptions options_of(const Choice& c) {
   const int connections[] = {0, 1, 3};
   o.connections = o.plan->default_connections > 0 ? connections[c[kConnections]] : 0;
   o.light_samples = o.plan->chains ? 1 : 1 + c[kLightSamples];
-  o.uniform_light_start = c[kStart] == 1;
+  o.light_start = StartBy(c[kStart]);
   o.order = Order(c[kOrder]);
   o.partners = Partners(c[kOrder] % 2);
   o.roulette_start = c[kSubpathRoulette] == 1 ? 2 : 4;

@@ -21,9 +21,13 @@ struct Way {
   int connections = 0, light_samples = 1;
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
+  PoolSelection selection = PoolSelection::Uniform;
+  bool correlation_aware = false;
   std::string name() const {
     return plan + ", m = " + std::to_string(connections) + ", n = " + std::to_string(light_samples) + ", order " +
-           std::to_string(int(order)) + ", partners " + std::to_string(int(partners));
+           std::to_string(int(order)) + ", partners " + std::to_string(int(partners)) +
+           (selection == PoolSelection::Importance ? ", by importance" : "") +
+           (correlation_aware ? ", aware of correlation" : "");
   }
 };
 
@@ -36,8 +40,11 @@ const std::vector<Way> kWays = {
     {"pooled", 4},
     {"pooled", 4, 5},
     {"pooled", 4, 1, 2},
+    {"pooled", 4, 3, 1, Order::Metric, Partners::Sobol, PoolSelection::Importance},
     {"combinatorial", 1},
     {"combinatorial", 1, 0, 2},
+    {"pooled", 2, 32, 1, Order::Metric, Partners::Sobol, PoolSelection::Uniform, true},
+    {"combinatorial", 1, 0, 1, Order::Metric, Partners::Sobol, PoolSelection::Uniform, true},
     {"matrix", 4},
     {"matrix", 4, 3, 1, Order::Hilbert, Partners::LatinHypercube},
     {"matrix", 4, 1, 2, Order::None},
@@ -53,6 +60,8 @@ TransportOptions options_of(const Way& way, int max_edges) {
   o.light_samples = way.light_samples;
   o.order = way.order;
   o.partners = way.partners;
+  o.correlation_aware = way.correlation_aware;
+  o.pool_selection = way.selection;
   o.pool_passes = 4;
   return o;
 }

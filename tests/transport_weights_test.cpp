@@ -2,6 +2,9 @@
 // from the scene's own functions, without anything the engine keeps at its vertices.
 #include "rendering.h"
 #include "transport/block.h"
+#include "transport/correlation.h"
+#include "transport/plan.h"
+#include "transport/start_pilot.h"
 
 namespace bdpt {
 namespace {
@@ -56,7 +59,7 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   Densities d;
   d.vertices.resize(k + 1);
   for (PathVertex& v : d.vertices) v.specular = false;
-  const double position = lights.position_density(path.light, engine.options.uniform_light_start);
+  const double position = lights.position_density(path.light, engine.light_choice());
   d.direct = k > 1 ? engine.direct_lighting.density(path.light, path.points[1].surface->receiver()) / position : 1;
   d.vertices[0].light = position;
   d.vertices[1].light = lights.direction_density(path.light, unit(at(1) - at(0))) * geometry(0);
@@ -163,9 +166,9 @@ std::vector<SamplePath> paths_of(const Block& block) {
 class OneSample {
  public:
   OneSample(const Scene& scene, const Sensor& sensor, const TransportOptions& options)
-      : film_(film_desc(kSize, kSize, kMaxEdges), nullptr),
-        engine_(scene, sensor, film_, options, 7),
-        block_(engine_) {}
+      : film_(film_desc(kSize, kSize, kMaxEdges), nullptr), engine_(scene, sensor, film_, options, 7), block_(engine_) {
+    if (options.light_start == StartBy::Importance) engine_.starts = pilot_starts(engine_).starts;
+  }
   Engine& engine() { return engine_; }
   const Block& block() const { return block_; }
   const Film& film() const { return film_; }
@@ -206,18 +209,22 @@ TransportOptions with(TransportOptions options, const Kind& kind) {
   return options;
 }
 
-void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_start, const TechniqueMask& mask,
-                            LightSelection selection = LightSelection::Power, int direct_samples = 1) {
+void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start, const TechniqueMask& mask,
+                            LightSelection selection = LightSelection::Power, int direct_samples = 1,
+                            bool correlation_aware = false) {
   const ScenePointer scene = scenes::room(room).build();
   const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
   TransportOptions options = options_for(mask, kMaxEdges);
-  options.uniform_light_start = uniform_light_start;
+  options.light_start = light_start;
   options.light_selection = selection;
   options.direct_samples = direct_samples;
+  options.correlation_aware = correlation_aware;
+  if (correlation_aware) options.plan = find_plan("combinatorial");  // many share an eye subpath
   OneSample plain(*scene, *camera, with(options, {"none", Heuristic::None}));
   std::vector<std::unique_ptr<OneSample>> weighted;
   for (const Kind& kind : kHeuristics)
     weighted.push_back(std::make_unique<OneSample>(*scene, *camera, with(options, kind)));
+  for (auto& w : weighted) w->engine().starts = plain.engine().starts;  // pilots follow the weights
 
   int compared = 0;
   for (uint64_t pass = 0; pass < 150; ++pass) {
@@ -232,6 +239,7 @@ void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
       techniques.s0_exists = p.path.light.has_area;
       techniques.counts.direct = float(direct_samples);
+      if (correlation_aware) techniques.counts.connections = plain.engine().strategy.counts.connections;
       for (size_t i = 0; i < kHeuristics.size(); ++i) {
         const TransportOptions& o = weighted[i]->engine().options;
         const std::string what = kHeuristics[i].name + " (" + std::to_string(p.s) + "," + std::to_string(p.t) + ")";
@@ -251,28 +259,62 @@ void expect_product_weights(const scenes::RoomOptions& room, bool uniform_light_
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesAndSumToOne) {
-  expect_product_weights({.points = true}, false, {});
+  expect_product_weights({.points = true}, StartBy::Power, {});
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndUniformLightStart) {
-  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, true, {});
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, StartBy::Uniform, {});
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithLightSubpathsStartedByImportance) {
+  expect_product_weights({.points = true, .lantern = true}, StartBy::Importance, {});
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithTechniquesMasked) {
-  expect_product_weights({.points = true}, false, mask_of([](int s, int t) { return s != 1 && t != 0; }));
+  expect_product_weights({.points = true}, StartBy::Power, mask_of([](int s, int t) { return s != 1 && t != 0; }));
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithATreeOfLights) {
-  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Tree);
+  expect_product_weights({.points = true, .lantern = true}, StartBy::Power, {}, LightSelection::Tree);
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndATreeOfLights) {
-  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true, .lantern = true}, true, {},
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true, .lantern = true}, StartBy::Uniform, {},
                          LightSelection::Tree);
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithSeveralDirectSamples) {
-  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Tree, 3);
+  expect_product_weights({.points = true, .lantern = true}, StartBy::Power, {}, LightSelection::Tree, 3);
 }
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithEveryLightInTurn) {
-  expect_product_weights({.points = true, .lantern = true}, false, {}, LightSelection::Each, 2);
+  expect_product_weights({.points = true, .lantern = true}, StartBy::Power, {}, LightSelection::Each, 2);
+}
+
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithCorrelation) {
+  expect_product_weights({.points = true}, StartBy::Power, {}, LightSelection::Power, 1, true);
+}
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndCorrelation) {
+  expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, StartBy::Uniform, {},
+                         LightSelection::Power, 1, true);
+}
+
+// What counts for 100 connections of paths of four edges, by hand: A is 1 here, as the eye's density at x_3 says.
+TEST(TransportWeights, OfConnectionsThatShareARareEyeSubpathCountFewer) {
+  std::vector<PathVertex> x(5, {1e-3, 1e-3, false});
+  x[3].eye = 1.4e-3;
+  PathTechniques path{x.data(), 5};
+  path.counts.connections = 100;
+  const auto counts = [&] {
+    std::vector<double> n = {1, 1, 100, 100, 1, 1};
+    count_correlated(path, n.data());
+    for (size_t i : {0u, 1u, 4u, 5u}) EXPECT_EQ(n[i], 1);
+    EXPECT_DOUBLE_EQ(n[3], 100);  // x_3 is seen in each pixel
+    return n[2];
+  };
+  // (2,3) shares x_2, which the eye finds by 1e-3; light finds x_0 and x_1 by 1e-6: light is rarer.
+  EXPECT_NEAR(counts(), 100 * 1e-3 / (1e-3 + 1e-6 - 1e-9), 1e-9);
+  x[0].light = x[1].light = 10;  // any light subpath comes by
+  EXPECT_NEAR(counts(), 1, 1e-12);
+  x[1].light = 0.01;
+  EXPECT_NEAR(counts(), 100 * 1e-3 / (1e-3 + 0.01 - 1e-5), 1e-9);
+  x[3].specular = true;  // there is no choice of x_2
+  EXPECT_NEAR(counts(), 100, 1e-12);
 }
 
 // Random densities, specular vertices, techniques that do not exist: whatever the path, the weights sum to one.
@@ -293,6 +335,7 @@ TEST(TransportWeights, OfRandomDensitiesSumToOne) {
     TransportOptions options;
     for (uint32_t& row : options.techniques.rows) row = ~(uniform() < 0.3f ? 1u << int(uniform() * 10) : 0);
     options.techniques.rows[0] = ~0u;  // s = 0 covers every path
+    options.correlation_aware = uniform() < 0.5f;
     for (const Kind& kind : kHeuristics) {
       double sum = 0;
       for (int s = 0; s <= k + 1; ++s) sum += reference_weight(path, s, with(options, kind));
@@ -302,7 +345,7 @@ TEST(TransportWeights, OfRandomDensitiesSumToOne) {
 }
 
 TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
-  for (const bool uniform_light_start : {false, true}) {
+  for (const StartBy light_start : {StartBy::Power, StartBy::Uniform, StartBy::Importance}) {
     scenes::RoomOptions room{.contents = scenes::Contents::Specular, .points = true, .environment = true};
     const ScenePointer scene = scenes::room(room).build();
     for (const scenes::Viewpoint& view : {scenes::room_view(), scenes::room_view_through_lens()}) {
@@ -311,7 +354,7 @@ TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
                                         mask_of([](int s, int t) { return s != 1 && (s >= 2 || t >= 2); })})
         for (size_t i = 0; i < 4; ++i) {
           TransportOptions options = with(options_for(mask, kMaxEdges), kHeuristics[i]);
-          options.uniform_light_start = uniform_light_start;
+          options.light_start = light_start;
           options.light_samples = i == 1 ? 3 : 1;  // techniques that differ in their number of samples
           options.light_selection = i == 2 ? LightSelection::Tree : LightSelection::Power;
           options.direct_samples = i == 3 ? 2 : 1;

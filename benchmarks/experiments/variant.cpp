@@ -40,6 +40,9 @@ bdpt_render_desc render_desc(const Variant& variant, std::uint32_t max_edges, st
   desc.shadow_roulette = variant.roulette;
   desc.shadow_threshold = variant.roulette_threshold;
   desc.adaptive = variant.adaptive;
+  desc.pool_selection = variant.pool_selection;
+  desc.correlation_aware = variant.correlation_aware;
+  desc.light_start = variant.light_start;
   desc.direct_samples = variant.direct_samples;
   if (variant.direct_samples > 0) desc.light_selection = BDPT_LIGHT_SELECTION_EACH;
   return desc;

@@ -21,6 +21,9 @@ struct Variant {
   bdpt_shadow_roulette roulette = BDPT_SHADOW_ROULETTE_NONE;
   float roulette_threshold = 0;
   bdpt_adaptive adaptive = BDPT_ADAPTIVE_NONE;
+  bdpt_pool_selection pool_selection = BDPT_POOL_SELECTION_UNIFORM;
+  bool correlation_aware = false;
+  bdpt_light_start light_start = BDPT_LIGHT_START_POWER;
   std::uint32_t direct_samples = 0;  // points on each light at each eye vertex; 0 = one point on one light
 };
 

@@ -84,8 +84,8 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.sampler = static_cast<SamplerType>(desc.sampler);
   subject.check_range("strata", desc.strata, 0, kMaxStrata);
   options.strata = int(desc.strata == 0 ? kDefaultStrata : desc.strata);
-  subject.check_enum("light_start", desc.light_start, BDPT_LIGHT_START_UNIFORM);
-  options.uniform_light_start = desc.light_start == BDPT_LIGHT_START_UNIFORM;
+  subject.check_enum("light_start", desc.light_start, BDPT_LIGHT_START_IMPORTANCE);
+  options.light_start = static_cast<StartBy>(desc.light_start);
   options.plan = read_plan(subject, desc.plan);
   subject.check_range("connections", desc.connections, 0, kMaxConnections);
   const Plan& plan = *options.plan;
@@ -102,6 +102,17 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
   options.order = static_cast<Order>(desc.order);
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);
   options.partners = static_cast<Partners>(desc.partners);
+  subject.check_enum("pool_selection", desc.pool_selection, BDPT_POOL_SELECTION_IMPORTANCE);
+  options.pool_selection = static_cast<PoolSelection>(desc.pool_selection);
+  if (options.pool_selection != PoolSelection::Uniform && !plan.pooled)
+    subject.refuse("pool_selection", "is set, but the plan ", plan.name,
+                   " has no pool of a pass: give BDPT_POOL_SELECTION_UNIFORM, or the plan pooled");
+  subject.check_range("correlation_aware", desc.correlation_aware, 0, 1);
+  options.correlation_aware = desc.correlation_aware == 1;
+  if (options.correlation_aware && (plan.chains || plan.chooses || !plan.serves(2, 2)))
+    subject.refuse("correlation_aware", "is 1, but with the plan ", plan.name,
+                   plan.chooses ? " weights are those of tiles: give 0, or another plan"
+                                : " no two samples share an eye subpath: give 0, or another plan");
   read_shadow_roulette(subject, desc, options);
   read_adaptive(subject, desc, options);
   read_direct_lighting(subject, desc, options);

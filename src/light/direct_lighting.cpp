@@ -28,8 +28,8 @@ DirectLighting::Place DirectLighting::choose(const Receiver& x, int turn, double
   int light = turn;
   chosen = 1;
   if (selection_ != LightSelection::Each) {
-    light = lights_.choose(u, selection_ == LightSelection::Uniform);
-    chosen = lights_.choice(light, selection_ == LightSelection::Uniform);
+    light = lights_.choose(u, {.uniform = selection_ == LightSelection::Uniform});
+    chosen = lights_.choice(light, {.uniform = selection_ == LightSelection::Uniform});
   }
   return {light, lights_.choose_triangle(light, u)};
 }
@@ -37,9 +37,9 @@ DirectLighting::Place DirectLighting::choose(const Receiver& x, int turn, double
 float DirectLighting::choice(const LightPoint& y0, const Receiver& x) const {
   switch (selection_) {
     case LightSelection::Power:
-      return lights_.choice(y0.light, false);
+      return lights_.choice(y0.light, {});
     case LightSelection::Uniform:
-      return lights_.choice(y0.light, true);
+      return lights_.choice(y0.light, {.uniform = true});
     case LightSelection::Each:
       return 1;
     case LightSelection::Tree:

@@ -115,16 +115,18 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
   }
 }
 
-int Lights::choose(double& u, bool uniform) const {
-  if (!uniform) return int(by_power_.sample(u));
+int Lights::choose(double& u, const LightChoice& by) const {
+  if (by.table) return int(by.table->sample(u));
+  if (!by.uniform) return int(by_power_.sample(u));
   u *= double(lights_.size());
   const int light = int(u);
   u -= light;
   return light;
 }
 
-float Lights::choice(int light, bool uniform) const {
-  return uniform ? 1.0f / float(lights_.size()) : at(light).choice;
+float Lights::choice(int light, const LightChoice& by) const {
+  if (by.table) return by.table->probability(size_t(light));
+  return by.uniform ? 1.0f / float(lights_.size()) : at(light).choice;
 }
 
 float Lights::spot_falloff(const LightDesc& spot, const Vec3& w) const {
@@ -135,11 +137,11 @@ float Lights::spot_falloff(const LightDesc& spot, const Vec3& w) const {
   return t * t * (3 - 2 * t);
 }
 
-bool Lights::start(const float u[4], const float v[2], bool uniform, LightStart& start) const {
+bool Lights::start(const float u[4], const float v[2], const LightChoice& by, LightStart& start) const {
   if (empty()) return false;
   double u0 = join(u[0], u[3]);
-  const int light = choose(u0, uniform);
-  const float chosen = choice(light, uniform);
+  const int light = choose(u0, by);
+  const float chosen = choice(light, by);
   const Light& l = at(light);
   LightPoint& y0 = start.y0;
   y0 = LightPoint{};
@@ -286,8 +288,8 @@ float Lights::direction_density(const LightPoint& y0, const Vec3& w) const {
   return 0;
 }
 
-float Lights::position_density(const LightPoint& y0, bool uniform) const {
-  const float chosen = choice(y0.light, uniform) * at(y0.light).inverse_area;
+float Lights::position_density(const LightPoint& y0, const LightChoice& by) const {
+  const float chosen = choice(y0.light, by) * at(y0.light).inverse_area;
   return y0.infinite ? chosen * 0.25f * kInvPi : chosen;
 }
 

@@ -57,6 +57,12 @@ struct alignas(64) LightTriangle {
       : corner(a), edge1(b - a), edge2(c - a), normal(n), margin(m) {}
 };
 
+// How a light is chosen: by emitted power, each alike, or by a table of their probabilities.
+struct LightChoice {
+  bool uniform = false;
+  const Discrete* table = nullptr;  // in place of both
+};
+
 class Lights {
  public:
   struct AreaLight {
@@ -82,10 +88,10 @@ class Lights {
   int environment() const { return environment_; }
 
   // Starts a light subpath. u: choice, position 2, more of the choice; v: direction 2. False for a scene without light.
-  bool start(const float u[4], const float v[2], bool uniform, LightStart& start) const;
-  // The light that u chooses, by power or each alike, and its probability; what is left of u can be used again.
-  int choose(double& u, bool uniform) const;
-  float choice(int light, bool uniform) const;
+  bool start(const float u[4], const float v[2], const LightChoice& by, LightStart& start) const;
+  // The light that u chooses, and its probability; what is left of u can be used again.
+  int choose(double& u, const LightChoice& by) const;
+  float choice(int light, const LightChoice& by) const;
   // The triangle of a mesh that u chooses, by area, numbered over all meshes; for all other lights some number. (It is
   // not counted from the mesh's first, so that it can be fetched before the light is.)
   uint32_t choose_triangle(int light, double& u) const;
@@ -102,7 +108,7 @@ class Lights {
   // P_sigma-perp(y0 -> x) for w from y0 to x (unit).
   float direction_density(const LightPoint& y0, const Vec3& w) const;
   // P_A(y0).
-  float position_density(const LightPoint& y0, bool uniform) const;
+  float position_density(const LightPoint& y0, const LightChoice& by) const;
   // P_A^d(y0) at x of a light that is chosen with this probability.
   float direct_density(const LightPoint& y0, const Vec3& x, float chosen) const;
   // The same of one triangle of a mesh that is chosen with it.

@@ -6,6 +6,7 @@
 #include "transport/image_pilot.h"
 #include "transport/plan.h"
 #include "transport/stage_timer.h"
+#include "transport/start_pilot.h"
 #include "transport/strategy_pilot.h"
 
 #include <cmath>
@@ -118,6 +119,7 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
     booking_ =
         Booking(meter, executor_->worker_count() * in_flight * kBytesPerSample + engine_->direct_lighting.memory(),
                 "the render's blocks and tree of lights");
+    if (engine_->options.light_start == StartBy::Importance) find_starts();
     if (engine_->plan.pooled) make_pool(meter);
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {
@@ -126,12 +128,21 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
   }
 }
 
+void Render::find_starts() {
+  const FloatMode mode;
+  StartPilot pilot = pilot_starts(*engine_);
+  stats_ += pilot.stats;
+  engine_->starts = std::move(pilot.starts);
+}
+
 void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {
   const FloatMode mode;
   const LightPilot pilot = pilot_light(*engine_);
   stats_ += pilot.stats;
   engine_->set_counts(pilot.joinable);
-  const double bytes = pilot.vertices * kPoolReserve * (sizeof(Vertex) + 8) + sizeof(LightStart) + sizeof(Stream) + 4;
+  const double bytes = pilot.vertices * kPoolReserve *
+                           (sizeof(Vertex) + 8 + LightPool::bytes_of_choice(engine_->options.pool_selection)) +
+                       sizeof(LightStart) + sizeof(Stream) + 4;
   pool_booking_ =
       Booking(meter, uint64_t(double(engine_->light_per_pass()) * bytes), "the plan's pool of light subpaths");
   pool_ = std::make_unique<LightPool>();
@@ -222,7 +233,7 @@ bool Render::fill_pool(Call& call) {
     restart_pass();
     return false;
   }
-  pool_->finish();
+  pool_->finish(engine_->options.pool_selection);
   return pool_filled_ = true;
 }
 

@@ -75,6 +75,7 @@ class Render {
   bool fill_pool(Call& call);
   bool run_pilot(Call& call);
   bool choose_strategies(Call& call);
+  void find_starts();
   void make_pool(const std::shared_ptr<MemoryMeter>& meter);
   void restart_pass();
   bool run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,

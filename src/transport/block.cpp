@@ -122,7 +122,7 @@ void Block::start_eye(uint32_t sample, const FilmPosition& film, const float len
 void Block::start_light(uint32_t light, uint32_t most) {
   const Four u = draw(false, light, 0, Purpose::Start), v = draw(false, light, 0, Purpose::Direction);
   LightStart& y0 = light_.starts[light];
-  if (!engine_.scene.lights().start(u.u, v.u, engine_.options.uniform_light_start, y0)) {
+  if (!engine_.scene.lights().start(u.u, v.u, engine_.light_choice(), y0)) {
     y0.y0.light = -1;
     return;
   }

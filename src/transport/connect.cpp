@@ -100,7 +100,7 @@ Rgb Block::direct_contribution(const Vertex& z, const DirectLight& light) {
   if (is_black(c) || engine_.unweighted) return c;
 
   const bool hittable = y0.has_area || y0.infinite;
-  const float position = lights.position_density(y0, engine_.options.uniform_light_start);
+  const float position = lights.position_density(y0, engine_.light_choice());
   const float direction = lights.direction_density(y0, -w);
   if (engine_.running_sums) {
     // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).

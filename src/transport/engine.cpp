@@ -28,7 +28,9 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   if (options.connections == 0) options.connections = plan.default_connections;
   const bool structured = set_counts(1);
   unweighted = options.heuristic == Heuristic::None;
-  running_sums = structured && (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
+  // Running sums count all inner techniques alike.
+  running_sums = structured && !options.correlation_aware &&
+                 (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
   limit_subpaths();
   if (options.shadow_roulette == Roulette::Fixed) roulette.set_fixed(options.shadow_threshold);
 }

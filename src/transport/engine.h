@@ -50,6 +50,7 @@ struct Engine {
   ShadowRoulette roulette;
   SampleRates rates;
   float light_weight = 1;  // of a light subpath, in the light image
+  Discrete starts;  // of light subpaths: the lights' probabilities by importance, once a pilot has found it
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
@@ -58,6 +59,9 @@ struct Engine {
   // know already.
   bool uses_outer(const Strategy& there) const { return map && !there.joins_inner(); }
   const Strategy& strategy_at(const FilmPosition& film) const { return map ? map->at(film) : strategy; }
+  LightChoice light_choice() const {
+    return {options.light_start == StartBy::Uniform, starts.empty() ? nullptr : &starts};
+  }
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool
   uint64_t samples_per_pass() const { return bounds.count(); }

@@ -149,7 +149,7 @@ void Block::escape(const Walker& w) {
 void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, const Rgb& radiance) {
   const Lights& lights = engine_.scene.lights();
   const bool corner = z.count == 2;
-  const float position = lights.position_density(x0, engine_.options.uniform_light_start);
+  const float position = lights.position_density(x0, engine_.light_choice());
   const float direction = lights.direction_density(x0, z.previous);
   const float direct = corner ? position : w.specular ? 0 : engine_.direct_lighting.density(x0, {w.origin, w.normal});
   float weight = 1;
@@ -240,7 +240,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.density = v.density;
   const float reverse = b.density_reverse / std::fabs(gp);
   n.sums = engine_.heuristic.combine(v.technique, reverse * v.sums);
-  if (!w.eye && engine_.map) n.outer = engine_.heuristic.combine(v.count == 2 ? v.technique : 0, reverse * v.outer);
+  n.outer = !w.eye && engine_.map ? engine_.heuristic.combine(v.count == 2 ? v.technique : 0, reverse * v.outer) : 0;
   n.direct = v.direct;
   n.vertex = index;
   n.count = v.count;

@@ -17,7 +17,7 @@ class ImagePilot {
   // First the pool, for plans that have one; then the rows. Tasks of a kind in parallel.
   uint32_t pool_tasks() const { return pool_.pieces(); }
   void fill_pool(Block& block, uint32_t task);
-  void finish_pool() { pool_.finish(); }
+  void finish_pool() { pool_.finish(engine_.options.pool_selection); }
   uint32_t row_tasks() const { return uint32_t(grid_.rows()); }
   void run_row(Block& block, uint32_t task);
 

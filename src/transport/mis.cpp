@@ -1,5 +1,7 @@
 #include "transport/mis.h"
 
+#include "transport/correlation.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -33,7 +35,8 @@ bool exists(const PathTechniques& path, const TechniqueMask& mask, int i) {
 }
 
 // n_i p_i in units of p_s.
-std::vector<double> densities(const PathTechniques& path, int s, const TechniqueMask& mask) {
+std::vector<double> densities(const PathTechniques& path, int s, const TechniqueMask& mask,
+                              bool correlation_aware = false) {
   const int techniques = path.count + 1;
   // p_i relative to p_s, up and down from s by (10.9), before the corrections for single techniques.
   std::vector<double> p(size_t(path.count) + 1, 1.0);
@@ -42,15 +45,18 @@ std::vector<double> densities(const PathTechniques& path, int s, const Technique
   for (size_t i = own_index; i > 0; --i) p[i - 1] = p[i] * path.vertices[i - 1].eye / path.vertices[i - 1].light;
   // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
   if (techniques > 2 && path.count > 2) p[1] *= path.direct;
+  std::vector<double> n(p.size());
   for (int i = 0; i < techniques; ++i)
-    p[size_t(i)] *= exists(path, mask, i) ? double(path.counts.of(i, techniques - 1 - i)) : 0;
+    n[size_t(i)] = exists(path, mask, i) ? double(path.counts.of(i, techniques - 1 - i)) : 0;
+  if (correlation_aware) count_correlated(path, n.data());
+  for (size_t i = 0; i < p.size(); ++i) p[i] *= n[i];
   return p;
 }
 
 }  // namespace
 
 double reference_weight(const PathTechniques& path, int s, const TransportOptions& options, const TechniqueMask& mask) {
-  std::vector<double> p = densities(path, s, mask);
+  std::vector<double> p = densities(path, s, mask, options.correlation_aware);
   const double own = p[size_t(s)];
   if (!(own > 0)) return 0;
   for (double& v : p) v /= own;

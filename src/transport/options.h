@@ -13,6 +13,8 @@ enum class Heuristic { Power, Balance, Cutoff, Maximum, Average, None };
 enum class Roulette { None, Fixed, Efficiency };
 // Of the image plane.
 enum class Adaptive { None, TwoStages };
+// By what light subpaths choose their light: importance is what a pilot found a light to matter in this view.
+enum class StartBy { Power, Uniform, Importance };
 enum class SamplerType { Sobol, Independent, Stratified };
 
 // Which techniques (s,t) take part: bit t of row s, 31 standing for 31 and more.
@@ -29,6 +31,9 @@ struct Plan;  // plan.h
 enum class Order { Metric, Hilbert, None };
 enum class Partners { Sobol, LatinHypercube };
 
+// How the pooled plan chooses among the light vertices of a pass.
+enum class PoolSelection { Uniform, Importance };
+
 struct TransportOptions {
   const Plan* plan = nullptr;  // nullptr = one to one
   int connections = 0;    // light vertices that an eye vertex meets, where the plan lets choose; 0 = its own number
@@ -36,6 +41,7 @@ struct TransportOptions {
   int pool_passes = 0;    // passes that the plan takes at once, where it does; 0 = its own number
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
+  PoolSelection pool_selection = PoolSelection::Uniform;
   int chain_pixels = 0;      // mmlt: pixels whose mutations one chain makes, in each pass; 0 = its own number
   int chain_candidates = 0;  // mmlt: samples of Veach's plan for each chain; 0 = its own number
   int max_edges = 0;         // longest path k; 0 = no limit
@@ -43,9 +49,10 @@ struct TransportOptions {
   Heuristic heuristic = Heuristic::Power;
   float beta = 2;
   float cutoff = 0;
+  bool correlation_aware = false;  // correlation.h
   SamplerType sampler = SamplerType::Sobol;
   int strata = 4;
-  bool uniform_light_start = false;
+  StartBy light_start = StartBy::Power;
   LightSelection light_selection = LightSelection::Power;  // of direct lighting alone
   int direct_samples = 1;     // light vertices of direct lighting at each eye vertex; where lights take turns, of each
   int direct_candidates = 1;  // of so many, each of them is chosen by its contribution

@@ -50,6 +50,7 @@ StrategyPilot::StrategyPilot(const Engine& engine)
       passes_(std::clamp(uint32_t(kFewestSamples / (kSide * kSide * tiles_.count())), kFewestPasses, kMostPasses)),
       measures_(tiles_.count()),
       light_(size_t(tiles_.rows())) {
+  engine_.starts = engine.starts;
   engine_.tell_shares();
 }
 

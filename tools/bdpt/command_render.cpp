@@ -141,6 +141,9 @@ class RenderCommand {
     desc.shadow_roulette = options_.roulette;
     desc.shadow_threshold = options_.roulette_threshold;
     desc.adaptive = options_.adaptive ? BDPT_ADAPTIVE_TWO_STAGES : BDPT_ADAPTIVE_NONE;
+    desc.pool_selection = options_.pool_selection;
+    desc.correlation_aware = options_.correlation_aware;
+    desc.light_start = options_.light_start;
     desc.light_selection = options_.light_selection;
     desc.direct_samples = options_.direct_samples;
     desc.direct_candidates = options_.direct_candidates;

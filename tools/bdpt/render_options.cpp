@@ -26,6 +26,11 @@ const std::map<std::string, bdpt_light_selection> kLightSelections = {{"power", 
                                                                       {"uniform", BDPT_LIGHT_SELECTION_UNIFORM},
                                                                       {"tree", BDPT_LIGHT_SELECTION_TREE},
                                                                       {"each", BDPT_LIGHT_SELECTION_EACH}};
+const std::map<std::string, bdpt_light_start> kLightStarts = {{"power", BDPT_LIGHT_START_POWER},
+                                                              {"uniform", BDPT_LIGHT_START_UNIFORM},
+                                                              {"importance", BDPT_LIGHT_START_IMPORTANCE}};
+const std::map<std::string, bdpt_pool_selection> kPoolSelections = {{"uniform", BDPT_POOL_SELECTION_UNIFORM},
+                                                                    {"importance", BDPT_POOL_SELECTION_IMPORTANCE}};
 const std::map<std::string, bdpt_sampler> kSamplers = {
     {"sobol", BDPT_SAMPLER_SOBOL}, {"independent", BDPT_SAMPLER_INDEPENDENT}, {"stratified", BDPT_SAMPLER_STRATIFIED}};
 const std::map<std::string, bdpt_filter> kFilters = {{"box", BDPT_FILTER_BOX},
@@ -90,6 +95,9 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
              "Order of subpaths in matrix: metric (default), hilbert, none");
   add_choice(command, "--partners", options.partners, kPartners,
              "How matrix chooses partners: sobol (default) or latin-hypercube");
+  add_choice(
+      command, "--pool-selection", options.pool_selection, kPoolSelections,
+      "How pooled chooses light vertices: uniform (default), or importance: half by the light that arrives there");
   command.add_option("--light-samples", options.light_samples, "Light subpaths for each eye subpath (default 1)")
       ->check(positive());
   add_choice(command, "--roulette", options.roulette, kRoulettes,
@@ -102,6 +110,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   command.add_flag("--adaptive", options.adaptive,
                    "More samples where the picture is noisy and fewer where it is not, as many in all (Veach 10.3.6); "
                    "best with --spp a multiple of 8");
+  add_choice(command, "--light-start", options.light_start, kLightStarts,
+             "How light subpaths choose a light: power (default), uniform, or importance: what it brings to this view");
   add_choice(command, "--light-selection", options.light_selection, kLightSelections,
              "How direct lighting chooses a light: power (default), uniform, tree (for many lights), or each in turn");
   command
@@ -120,6 +130,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--beta", options.beta, "Exponent of the power heuristic (default 2)")->check(positive());
   command.add_option("--cutoff", options.cutoff, "Threshold of the cutoff heuristic, 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
+  command.add_flag("--correlation-aware", options.correlation_aware,
+                   "Weights count connections that share an eye subpath as fewer (Grittmann et al. 2021); slower");
   add_choice(command, "--sampler", options.sampler, kSamplers, "sobol (default), independent or stratified");
 }
 

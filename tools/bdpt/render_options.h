@@ -31,10 +31,13 @@ struct RenderOptions {
   bdpt_shadow_roulette roulette = BDPT_SHADOW_ROULETTE_NONE;
   float roulette_threshold = 0;
   bool adaptive = false;
+  bdpt_pool_selection pool_selection = BDPT_POOL_SELECTION_UNIFORM;
+  bdpt_light_start light_start = BDPT_LIGHT_START_POWER;
   bdpt_light_selection light_selection = BDPT_LIGHT_SELECTION_POWER;
   std::uint32_t direct_samples = 0, direct_candidates = 0;  // 0 = the default
   bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
   float beta = 0, cutoff = 0;
+  bool correlation_aware = false;
   bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
   std::optional<bdpt_filter> filter;
   float filter_radius = 0;

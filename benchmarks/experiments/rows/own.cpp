@@ -348,4 +348,119 @@ void own_adaptive(Report& report) {
   report.add(std::move(table));
 }
 
+void own_light_start(Report& report) {
+  const Setting& setting = report.setting();
+  const NamedScene scenes[] = {
+      {"door ajar, ten lamps in vain",
+       [&] {
+         SceneDescription scene = bitterli_scene(setting, "veach-ajar");
+         add_unreachable_emitters(scene);
+         return scene;
+       }},
+      {"stacked houses", [] { return stacked_houses(); }},
+      {"egg room", [&] { return bitterli_scene(setting, "veach-bidir"); }},
+      {"hall of 100 lamps", [] { return lamp_hall(100); }},
+      {"hall of 10,000 lamps", [] { return lamp_hall(10000); }},
+  };
+  std::vector<Variant> variants;
+  for (const char* plan : {"one-to-one", "pooled", "matrix"})
+    for (const bool importance : {false, true}) {
+      variants.push_back(of_plan(plan));
+      if (!importance) continue;
+      variants.back().name += ", importance";
+      variants.back().light_start = BDPT_LIGHT_START_IMPORTANCE;
+    }
+  Table table{"By importance over by power", {"scene"}, {}};
+  for (std::size_t v = 0; v < variants.size(); v += 2)
+    for (const char* what : {": efficiency", ": at the same samples"}) table.columns.push_back(variants[v].name + what);
+  std::size_t better = 0, worse = 0;
+  for (const NamedScene& scene : scenes) {
+    std::vector<Contestant> contestants;
+    try {
+      const Stage stage = build_stage(scene.make(), setting.pick(320, 96, 16), setting);
+      ContestOptions options;
+      options.max_edges = 6;
+      options.passes = setting.pick(64, 32, 8);
+      options.turns = setting.pick(16, 6, 2);
+      contestants = hold(stage, variants, options);
+    } catch (const SceneMissing& missing) {
+      report.note(std::string(missing.what()) + ", and is left out.");
+      continue;
+    }
+    table.rows.push_back({std::string(scene.name)});
+    for (std::size_t v = 0; v < contestants.size(); v += 2) {
+      const Checkpoint &power = contestants[v].end(), &importance = contestants[v + 1].end();
+      const Estimate ratio = efficiency_ratio(importance, power);
+      table.rows.back().push_back(ratio);
+      table.rows.back().push_back(sample_ratio(importance, power));
+      better += above(ratio, 1), worse += below(ratio, 1);
+    }
+  }
+  report.measured("Paths of up to 6 edges; the pilot's time is not in the efficiency: it is that of one short pass.");
+  report.add(std::move(table));
+  report.verdict(Verdict::Told, "Better in " + std::to_string(better) + " of " + std::to_string(3 * std::size(scenes)) +
+                                    " contests, worse in " + std::to_string(worse) + ".");
+}
+
+void own_pool(Report& report) {
+  const Setting& setting = report.setting();
+  const NamedScene scenes[] = {
+      {"egg room", [&] { return bitterli_scene(setting, "veach-bidir"); }},
+      {"door ajar", [&] { return bitterli_scene(setting, "veach-ajar"); }},
+      {"Cornell box, glass sphere", [] { return cornell_box(BoxContents::GlassSphere, BoxLight::Down); }},
+  };
+  // Each plan as it is, and then its options, one by one.
+  std::vector<Variant> variants;
+  std::vector<std::size_t> base;
+  const auto add = [&](const std::string& plan, std::uint32_t connections, bool importance, bool aware) {
+    Variant variant = of_plan(plan);
+    variant.connections = connections;
+    if (connections) variant.name += ", m = " + std::to_string(connections);
+    if (importance) variant.name += ", importance", variant.pool_selection = BDPT_POOL_SELECTION_IMPORTANCE;
+    if (aware) variant.name += ", aware", variant.correlation_aware = true;
+    if (!importance && !aware) base.push_back(variants.size());
+    variants.push_back(variant);
+  };
+  add("pooled", 2, false, false), add("pooled", 2, true, false);
+  add("pooled", 32, false, false), add("pooled", 32, true, false), add("pooled", 32, false, true);
+  add("combinatorial", 0, false, false), add("combinatorial", 0, false, true);
+  Table table{"Over the plan without the option", {"option"}, {}};
+  for (const NamedScene& scene : scenes)
+    for (const char* what : {": efficiency", ": at the same samples"})
+      table.columns.push_back(scene.name + std::string(what));
+  for (const Variant& variant : variants)
+    if (variant.pool_selection || variant.correlation_aware) table.rows.push_back({variant.name});
+  std::size_t better = 0, worse = 0;
+  for (const NamedScene& scene : scenes) {
+    std::size_t row = 0;
+    try {
+      const Stage stage = build_stage(scene.make(), setting.pick(240, 64, 16), setting);
+      for (std::size_t b = 0; b < base.size(); ++b) {
+        const std::size_t end = b + 1 < base.size() ? base[b + 1] : variants.size();
+        ContestOptions options;
+        options.max_edges = 6;
+        options.passes = setting.pick(32, 16, 2);
+        options.turns = setting.pick(16, 8, 2);
+        const std::vector<Variant> own(variants.begin() + std::ptrdiff_t(base[b]),
+                                       variants.begin() + std::ptrdiff_t(end));
+        const auto contestants = hold(stage, own, options);
+        for (std::size_t v = 1; v < contestants.size(); ++v, ++row) {
+          const Estimate ratio = efficiency_ratio(contestants[v].end(), contestants[0].end());
+          table.rows[row].push_back(ratio);
+          table.rows[row].push_back(sample_ratio(contestants[v].end(), contestants[0].end()));
+          better += above(ratio, 1), worse += below(ratio, 1);
+        }
+      }
+    } catch (const SceneMissing& missing) {
+      report.note(std::string(missing.what()) + ", and is left out.");
+      for (auto& cells : table.rows) cells.push_back(std::string("-")), cells.push_back(std::string("-"));
+    }
+  }
+  report.measured("Paths of up to 6 edges; in the same time, and for the same number of samples.");
+  report.verdict(Verdict::Told, "Better in " + std::to_string(better) + " of " +
+                                    std::to_string(table.rows.size() * std::size(scenes)) + " contests, worse in " +
+                                    std::to_string(worse) + ".");
+  report.add(std::move(table));
+}
+
 }  // namespace bdpt_experiments

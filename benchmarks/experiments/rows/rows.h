@@ -36,5 +36,7 @@ void own_length(Report& report);
 void own_automatic(Report& report);
 void own_plans(Report& report);
 void own_adaptive(Report& report);
+void own_light_start(Report& report);
+void own_pool(Report& report);
 
 }  // namespace bdpt_experiments
