@@ -23,6 +23,8 @@ struct Kind {
   Roulette roulette = Roulette::None;
   LightSelection selection = LightSelection::Power;
   int direct_samples = 1;
+  Matrix matrix = Matrix::PerTechnique;
+  int pool_pixels = 0;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -43,6 +45,8 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.shadow_roulette = GetParam().roulette;
     d.transport.light_selection = GetParam().selection;
     d.transport.direct_samples = d.transport.direct_candidates = GetParam().direct_samples;
+    d.transport.matrix = GetParam().matrix;
+    d.transport.pool_pixels = GetParam().pool_pixels;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -205,6 +209,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Kind{"stratified", SamplerType::Stratified, "one-to-one"},
                       Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
                       Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+                      Kind{"matrix for all lengths", SamplerType::Sobol, "matrix", 1, 2, Roulette::None,
+                           LightSelection::Power, 1, Matrix::AllLengths, 100},
                       Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
                       Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
                       Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},

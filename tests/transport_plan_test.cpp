@@ -21,9 +21,12 @@ struct Way {
   int connections = 0, light_samples = 1;
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
+  Matrix matrix = Matrix::PerTechnique;
+  int pool_pixels = 0;
   std::string name() const {
     return plan + ", m = " + std::to_string(connections) + ", n = " + std::to_string(light_samples) + ", order " +
-           std::to_string(int(order)) + ", partners " + std::to_string(int(partners));
+           std::to_string(int(order)) + ", partners " + std::to_string(int(partners)) + ", matrix " +
+           std::to_string(int(matrix)) + ", pixels " + std::to_string(pool_pixels);
   }
 };
 
@@ -41,6 +44,8 @@ const std::vector<Way> kWays = {
     {"matrix", 4},
     {"matrix", 4, 3, 1, Order::Hilbert, Partners::LatinHypercube},
     {"matrix", 4, 1, 2, Order::None},
+    {"matrix", 4, 1, 1, Order::Metric, Partners::Sobol, Matrix::AllLengths, 16},
+    {"matrix", 4, 2, 2, Order::Hilbert, Partners::LatinHypercube, Matrix::AllLengths, 1024},
     {"mmlt", 4},
     {"automatic", 4},
 };
@@ -53,6 +58,8 @@ TransportOptions options_of(const Way& way, int max_edges) {
   o.light_samples = way.light_samples;
   o.order = way.order;
   o.partners = way.partners;
+  o.matrix = way.matrix;
+  o.pool_pixels = way.pool_pixels;
   o.pool_passes = 4;
   return o;
 }
@@ -135,7 +142,7 @@ TEST(SubpathOrder, IsByTheMetricAndHoldsEveryVertexThatCanBeJoined) {
   size_t joinable = 0, found = 0;
   for (const Vertex& v : block.light().vertices) joinable += !v.specular;
   OrderedVertices order;
-  order_subpaths(block.light(), scene->info(), Order::Metric, order);
+  order_subpaths(block.light(), scene->info(), Order::Metric, Lengths::Apart, order);
   for (size_t s = 0; s < order.size(); ++s) {
     double before = 0;
     for (const OrderedVertex& o : order[s]) {
@@ -154,6 +161,21 @@ TEST(SubpathOrder, IsByTheMetricAndHoldsEveryVertexThatCanBeJoined) {
   }
   EXPECT_GT(joinable, 100u);
   EXPECT_EQ(found, joinable);
+}
+
+// Neither a pair that is masked nor one that is too long may be counted as met.
+TEST(TransportPlan, OneMatrixForAllLengthsServesMasks) {
+  const ScenePointer scene = scenes::room({.points = true}).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
+  const auto measure = [&](const Way& way, uint64_t seed) {
+    TransportOptions options = options_of(way, 5);
+    options.techniques = mask_of([](int s, int t) { return (s == 2 && t == 3) || (s == 3 && t == 2); });
+    return block_means(scene, camera, options, {.passes = 8, .first_seed = seed});
+  };
+  const BlockMeans expected = measure({"one-to-one", 1}, 1);
+  for (int pixels : {16, 256})
+    expect_same(measure({"matrix", 1, 1, 1, Order::Metric, Partners::Sobol, Matrix::AllLengths, pixels}, 2), expected,
+                2, std::to_string(pixels));
 }
 
 TEST(TransportPlan, NamesAreUniqueAndFound) {

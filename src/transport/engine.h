@@ -54,6 +54,7 @@ struct Engine {
   const Strategy& strategy_at(const FilmPosition& film) const { return map ? map->at(film) : strategy; }
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool
+  uint32_t pool_pixels;  // pixels of a block, where the result depends on them; else 0
   uint64_t samples_per_pass() const { return bounds.count(); }
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
   FilmRecipe recipe() const;
