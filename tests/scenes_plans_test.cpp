@@ -1,0 +1,53 @@
+// On the scenes of the experiments' table, too, every plan measures the same, with heuristics, roulettes, samplers and
+// numbers in every pair.
+#include "api/handles.h"
+#include "plan_cover.h"
+#include "scene_upload.h"
+#include "scenes/scenes.h"
+#include "stage.h"
+
+namespace bdpt {
+namespace {
+
+using namespace cover;
+namespace ex = bdpt_experiments;
+
+constexpr int kEdges = 6;
+
+std::vector<ex::NamedScene> table() {
+  ex::Setting setting;
+  setting.scenes = BDPT_SHARED_DIR "/scenes/bitterli";
+  return ex::scenes_of_the_table(setting);
+}
+
+class ScenesPlans : public ::testing::TestWithParam<size_t> {};
+
+TEST_P(ScenesPlans, AllMeasureTheSame) {
+  const ex::NamedScene named = table()[GetParam()];
+  ex::SceneDescription description;
+  try {
+    description = named.make();
+  } catch (const ex::SceneMissing& missing) {
+    GTEST_SKIP() << missing.what();
+  }
+  bdpt_tool::Diagnostics silent(false);
+  const bdpt_tool::Context context = bdpt_tool::make_context(2, silent);
+  const bdpt_tool::Scene scene = bdpt_tool::build_scene(context.get(), description);
+  const bool square = description.film.width == description.film.height;
+  const uint32_t width = square ? 64 : 80, height = square ? 64 : 48;  // in blocks of 16 x 16
+  const bdpt_camera_desc camera = bdpt_tool::camera_desc(description, width, height, silent);
+  const auto sensor = bdpt_tool::make<bdpt_tool::Sensor>("the camera", bdpt_camera_create, context.get(), &camera);
+  expect_cover_agrees(scene->scene, sensor->sensor, kEdges);
+}
+
+std::string name_of_case(const ::testing::TestParamInfo<size_t>& info) {
+  std::string name;
+  for (const char c : table()[info.param].name)
+    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, ScenesPlans, ::testing::Range(size_t{0}, table().size()), name_of_case);
+
+}  // namespace
+}  // namespace bdpt
