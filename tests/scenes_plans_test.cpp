@@ -41,9 +41,8 @@ TEST_P(ScenesPlans, AllMeasureTheSame) {
 }
 
 std::string name_of_case(const ::testing::TestParamInfo<size_t>& info) {
-  std::string name;
-  for (const char c : table()[info.param].name)
-    if (std::isalnum(static_cast<unsigned char>(c))) name += c;
+  std::string name = table()[info.param].name;
+  std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
   return name;
 }
 

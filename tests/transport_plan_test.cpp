@@ -92,27 +92,47 @@ TEST(TransportPlan, AllGiveTheSamePictureOfGlassAndMirrorsByTheMaximumHeuristic)
   expect_agreement({.contents = Contents::Specular}, scenes::room_view_through_lens(), 1, Heuristic::Maximum);
 }
 
-// Samples counted as more or fewer than they are would show as less or more light: what plans do differently, alone,
-// where no two surfaces touch, so that these techniques have little noise.
-TEST(TransportPlan, InnerTechniquesAloneAreThoseOfVeachsPlan) {
-  Builder b;
-  b.add(scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)), scenes::diffuse(0.8f));
-  b.add(scenes::quad(Vec3(-1, 1, -1), Vec3(1, 1, -1), Vec3(1, 1, 1), Vec3(-1, 1, 1)), scenes::diffuse(0.8f));
-  b.add(
-      scenes::quad(Vec3(-0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, -0.1f), Vec3(-0.1f, 0.5f, -0.1f)),
-      scenes::emitter(Rgb(9), true));
-  const ScenePointer scene = b.build();
-  const SensorPointer camera = scenes::camera({Vec3(0, 0.8f, 2), Vec3(0, 0.2f, 0), 40}, kSize, kSize);
-  const auto measure = [&](const Way& way, uint64_t passes, uint64_t seed) {
+// Two plates with a lamp between them: no two surfaces touch, so that techniques of inner vertices have little noise.
+class TransportPlanInner : public ::testing::Test {
+ protected:
+  TransportPlanInner() {
+    Builder b;
+    b.add(scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)), scenes::diffuse(0.8f));
+    b.add(scenes::quad(Vec3(-1, 1, -1), Vec3(1, 1, -1), Vec3(1, 1, 1), Vec3(-1, 1, 1)), scenes::diffuse(0.8f));
+    b.add(scenes::quad(Vec3(-0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, -0.1f),
+                       Vec3(-0.1f, 0.5f, -0.1f)),
+          scenes::emitter(Rgb(9), true));
+    scene_ = b.build();
+  }
+  BlockMeans measure(const Way& way, const std::function<bool(int, int)>& techniques, uint64_t passes,
+                     uint64_t seed) const {
     TransportOptions options = options_of(way, 4);
-    options.techniques = mask_of([](int s, int t) { return s >= 2 && t >= 2; });
-    return block_means(scene, camera, options, {.passes = passes, .first_seed = seed, .side = kSize});
-  };
-  const BlockMeans expected = measure(kWays[0], 32, 1);
+    options.techniques = mask_of(techniques);
+    return block_means(scene_, camera_, options, {.passes = passes, .first_seed = seed, .side = kSize});
+  }
+
+ private:
+  ScenePointer scene_;
+  SensorPointer camera_ = scenes::camera({Vec3(0, 0.8f, 2), Vec3(0, 0.2f, 0), 40}, kSize, kSize);
+};
+
+// Samples counted as more or fewer than they are would show as less or more light: what plans do differently, alone.
+TEST_F(TransportPlanInner, TechniquesAloneAreThoseOfVeachsPlan) {
+  const auto inner = [](int s, int t) { return s >= 2 && t >= 2; };
+  const BlockMeans expected = measure(kWays[0], inner, 32, 1);
   uint64_t seed = 1;
   for (const Way& way : kWays)
     if (find_plan(way.plan.c_str())->serves(2, 2))
-      expect_same(measure(way, 8, ++seed), expected, kWays.size(), way.name());
+      expect_same(measure(way, inner, 8, ++seed), expected, kWays.size(), way.name());
+}
+
+// Neither a pair that is masked nor one that is too long may be counted as met.
+TEST_F(TransportPlanInner, OneMatrixForAllLengthsServesMasks) {
+  const auto two = [](int s, int t) { return (s == 2 && t == 3) || (s == 3 && t == 2); };
+  const BlockMeans expected = measure(kWays[0], two, 32, 1);
+  for (int pixels : {16, 256})
+    expect_same(measure({"matrix", 1, 1, 1, Order::Metric, Partners::Sobol, Matrix::AllLengths, pixels}, two, 16, 2),
+                expected, 2, std::to_string(pixels));
 }
 
 TEST(SubpathOrder, HilbertCurveStepsFromCellToCell) {
@@ -161,21 +181,6 @@ TEST(SubpathOrder, IsByTheMetricAndHoldsEveryVertexThatCanBeJoined) {
   }
   EXPECT_GT(joinable, 100u);
   EXPECT_EQ(found, joinable);
-}
-
-// Neither a pair that is masked nor one that is too long may be counted as met.
-TEST(TransportPlan, OneMatrixForAllLengthsServesMasks) {
-  const ScenePointer scene = scenes::room({.points = true}).build();
-  const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
-  const auto measure = [&](const Way& way, uint64_t seed) {
-    TransportOptions options = options_of(way, 5);
-    options.techniques = mask_of([](int s, int t) { return (s == 2 && t == 3) || (s == 3 && t == 2); });
-    return block_means(scene, camera, options, {.passes = 8, .first_seed = seed});
-  };
-  const BlockMeans expected = measure({"one-to-one", 1}, 1);
-  for (int pixels : {16, 256})
-    expect_same(measure({"matrix", 1, 1, 1, Order::Metric, Partners::Sobol, Matrix::AllLengths, pixels}, 2), expected,
-                2, std::to_string(pixels));
 }
 
 TEST(TransportPlan, NamesAreUniqueAndFound) {
