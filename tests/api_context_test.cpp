@@ -2,6 +2,8 @@
 #include "api_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <thread>
 

@@ -240,7 +240,8 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.density = v.density;
   const float reverse = b.density_reverse / std::fabs(gp);
   n.sums = engine_.heuristic.combine(v.technique, reverse * v.sums);
-  if (!w.eye && engine_.map) n.outer = engine_.heuristic.combine(v.count == 2 ? v.technique : 0, reverse * v.outer);
+  if (!w.eye && (engine_.map || !engine_.strategy.joins_inner()))
+    n.outer = engine_.heuristic.combine(v.count == 2 ? v.technique : 0, reverse * v.outer);
   n.direct = v.direct;
   n.vertex = index;
   n.count = v.count;
