@@ -662,6 +662,10 @@ typedef int32_t bdpt_partners;
 typedef int32_t bdpt_pool_selection;
 #define BDPT_POOL_SELECTION_UNIFORM 0    /* each alike */
 #define BDPT_POOL_SELECTION_IMPORTANCE 1 /* half by the light that arrives at them, half alike */
+typedef int32_t bdpt_matrix_kind;
+#define BDPT_MATRIX_PER_TECHNIQUE 0 /* one for each (s,t) */
+#define BDPT_MATRIX_ALL_LENGTHS 1   /* one for all lengths, each row with as many columns as make about as many
+                                       connections: Chaitanya et al. (2018), 7 */
 
 typedef struct bdpt_render_desc {
   uint32_t struct_size;
@@ -695,10 +699,13 @@ typedef struct bdpt_render_desc {
   uint32_t direct_candidates;   /* each of them is chosen among so many by what it would contribute without shadows,
                                    [1,64]; 0 = 1 */
   bdpt_adaptive adaptive;       /* sampling of the image plane; none with mmlt */
-  uint32_t reserved;            /* 0 */
   bdpt_pool_selection pool_selection; /* pooled: how light vertices are chosen; else 0 */
   uint32_t correlation_aware;   /* 1: the weights count connections that share an eye subpath as fewer than they are:
                                    Grittmann et al. (2021); one-to-one, pooled, matrix, combinatorial; costs time */
+  uint32_t pool_pixels;         /* matrix: pixels of a pool, [16,65536], in a square whose side is rounded; 0 = 256. A
+                                   worker holds a pool of pool_pixels x pool_passes samples: their memory is booked */
+  bdpt_matrix_kind matrix;      /* matrix: one for each technique, or one for all */
+  uint32_t reserved;            /* 0 */
 } bdpt_render_desc;
 
 /* Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the same.
@@ -706,7 +713,7 @@ typedef struct bdpt_render_desc {
  * two-way        none of them: s < 2 or t < 2, and nothing is stored of a path: Brown (2011)
  * pooled         every eye vertex and some of all light vertices of the pass: light vertex cache
  * matrix         every eye vertex and one light vertex of each length, stratified over pools of pool_passes passes in
- *                squares of 256 pixels: Chaitanya et al. (2018)
+ *                squares of pool_pixels: Chaitanya et al. (2018)
  * combinatorial  every pair within pools of 64 samples: Pajot et al. (2011); slow, to measure others by
  * mmlt           multiplexed Metropolis light transport, Hachisuka et al. (2014): Markov chains of paths, each of a pool
  *                of pool_passes passes in a square of 1024 pixels; a pass has as many mutations as it has pixels. Chains
@@ -778,7 +785,8 @@ typedef struct bdpt_advance_report {
 /* Samples passes until a limit is reached; the first one reached counts, and at least one must be set. It blocks, with
  * the caller's thread at work too. A cancelled call keeps the blocks that were finished; the next call completes the
  * pass, and the film is then what it would have been without the cancel.
- * Returns: BDPT_OK, BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT, _CALLBACK_FAILED, _OUT_OF_MEMORY, _REENTRANT.
+ * Returns: BDPT_OK, BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT, _CALLBACK_FAILED, _OUT_OF_MEMORY, _REENTRANT,
+ * _MEMORY_LIMIT (a block's paths were so long that they took more than was booked; the pass in hand is lost).
  * report may be NULL; it is written on BDPT_ERROR_CALLBACK_FAILED, too. Threads: one thread per object, render and
  * film. Callbacks: not for the render in use.
  * Ownership: none. */

@@ -2,6 +2,8 @@
 #include "api_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <thread>
 
@@ -230,6 +232,59 @@ TEST(ApiContext, TheMemoryLimitHolds) {
   bdpt_context_info info = make<bdpt_context_info>();
   ASSERT_OK(bdpt_context_get_info(world.context.get(), &info));
   EXPECT_LE(info.memory_peak, desc.memory_limit);
+}
+
+// A pool that is too large is refused, with the size of one that is not.
+TEST(ApiContext, AtTheMemoryLimitAPoolThatFitsIsNamed) {
+  bdpt_context_desc desc = make<bdpt_context_desc>();
+  desc.threads = 1;
+  desc.memory_limit = uint64_t(64) << 20;
+  World world(&desc);
+  const Sensor sensor = make_camera(world.context.get(), camera_desc(256, 256));
+  const Film film = make_film(sensor.get());
+  const auto create = [&](uint32_t pixels, bdpt_render** render) {
+    bdpt_render_desc d = make<bdpt_render_desc>();
+    d.plan = "matrix", d.pool_pixels = pixels;
+    return bdpt_render_create(world.scene.get(), sensor.get(), film.get(), &d, render);
+  };
+  bdpt_render* render = nullptr;
+  ASSERT_EQ(BDPT_ERROR_MEMORY_LIMIT, create(65536, &render));
+  const char* most = std::strstr(bdpt_last_error(), "at most ");
+  ASSERT_NE(nullptr, most) << bdpt_last_error();
+  const uint32_t pixels = uint32_t(std::atoi(most + 8));
+  const uint32_t side = uint32_t(std::lround(std::sqrt(pixels)));
+  EXPECT_EQ(side * side, pixels);
+  EXPECT_EQ(BDPT_ERROR_MEMORY_LIMIT, create((side + 1) * (side + 1), &render));
+  ASSERT_OK(create(pixels, &render));
+  EXPECT_OK(advance(render, 8));
+  bdpt_render_destroy(render);
+  EXPECT_LE(info_of(world.context.get()).memory_peak, desc.memory_limit);
+}
+
+// Subpaths in a box that absorbs nothing need more than was booked for them.
+TEST(ApiContext, AtTheMemoryLimitLongPathsAreNoSurprise) {
+  bdpt_context_desc desc = make<bdpt_context_desc>();
+  desc.threads = 1;
+  desc.memory_limit = uint64_t(16) << 20;
+  const Context context = make_context(&desc);
+  const Builder builder = make_builder(context.get());
+  bdpt_material_desc white = grey_desc();
+  for (float& v : white.reflectance) v = 1;
+  for (float& v : white.emission) v = 1;
+  white.emission_two_sided = 1;
+  bdpt_material_id material{};
+  ASSERT_OK(bdpt_material_add(builder.get(), &white, &material));
+  add_instance(builder.get(), add_sphere(builder.get()), material, 100);
+  const Scene scene = build(builder.get());
+  const Sensor sensor = make_camera(context.get(), camera_desc(64, 64));
+  const Film film = make_film(sensor.get());
+  bdpt_render_desc d = make<bdpt_render_desc>();
+  d.plan = "matrix", d.roulette_start = 40;
+  bdpt_render* render = nullptr;
+  ASSERT_OK(bdpt_render_create(scene.get(), sensor.get(), film.get(), &d, &render));
+  EXPECT_EQ(BDPT_ERROR_MEMORY_LIMIT, advance(render, 8));
+  bdpt_render_destroy(render);
+  EXPECT_EQ(0u, info_of(film.get()).passes);
 }
 
 TEST(ApiContext, AtTheMemoryLimitASceneIsNotBuiltAndTheBuilderStaysAsItWas) {

@@ -74,6 +74,13 @@ TEST_F(ApiRender, DescriptionsAreChecked) {
   refused([](auto& d) { d.correlation_aware = 2; });
   for (const char* plan : {"two-way", "mmlt", "automatic"})
     refused([=](auto& d) { d.plan = plan, d.correlation_aware = 1; });
+  refused([](auto& d) { d.pool_pixels = 256; });
+  refused([](auto& d) { d.plan = "mmlt", d.pool_pixels = 1024; });
+  refused([](auto& d) { d.plan = "matrix", d.pool_pixels = 15; });
+  refused([](auto& d) { d.plan = "matrix", d.pool_pixels = 65537; });
+  EXPECT_OK(try_render([](auto& d) { d.plan = "matrix", d.pool_pixels = 1000, d.matrix = BDPT_MATRIX_ALL_LENGTHS; }));
+  refused([](auto& d) { d.matrix = 2; });
+  refused([](auto& d) { d.matrix = -1; });
   refused([](auto& d) { d.order = 3; });
   refused([](auto& d) { d.partners = 2; });
   EXPECT_OK(try_render([](auto& d) { d.shadow_roulette = BDPT_SHADOW_ROULETTE_EFFICIENCY; }));

@@ -27,6 +27,8 @@ struct Kind {
   StartBy light_start = StartBy::Power;
   PoolSelection pool_selection = PoolSelection::Uniform;
   bool correlation_aware = false;
+  Matrix matrix = Matrix::PerTechnique;
+  int pool_pixels = 0;
 };
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
 
@@ -51,6 +53,8 @@ class RenderDeterminism : public ::testing::TestWithParam<Kind> {
     d.transport.light_start = GetParam().light_start;
     d.transport.pool_selection = GetParam().pool_selection;
     d.transport.correlation_aware = GetParam().correlation_aware;
+    d.transport.matrix = GetParam().matrix;
+    d.transport.pool_pixels = GetParam().pool_pixels;
     d.transport.strata = 2;
     d.transport.max_edges = 5;
     d.seed = 99;
@@ -208,40 +212,44 @@ TEST_P(RenderDeterminism, AnotherSeedIsAnotherFilm) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, RenderDeterminism,
-    ::testing::Values(Kind{"Sobol", SamplerType::Sobol, "one-to-one"},
-                      Kind{"independent", SamplerType::Independent, "one-to-one", 2},
-                      Kind{"stratified", SamplerType::Stratified, "one-to-one"},
-                      Kind{"two-way", SamplerType::Sobol, "two-way"}, Kind{"pooled", SamplerType::Sobol, "pooled", 2},
-                      Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
-                      Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
-                      Kind{.name = "importance",
-                           .sampler = SamplerType::Sobol,
-                           .plan = "pooled",
-                           .light_start = StartBy::Importance,
-                           .pool_selection = PoolSelection::Importance,
-                           .correlation_aware = true},
-                      Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2},
-                      Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
-                      Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},
-                      Kind{"combinatorial", SamplerType::Independent, "combinatorial"},
-                      Kind{"roulette", SamplerType::Sobol, "one-to-one", 2, 1, Roulette::Efficiency},
-                      Kind{"pooled roulette", SamplerType::Sobol, "pooled", 1, 1, Roulette::Efficiency},
-                      Kind{"matrix roulette", SamplerType::Sobol, "matrix", 1, 2, Roulette::Efficiency},
-                      Kind{.name = "adaptive",
-                           .sampler = SamplerType::Stratified,
-                           .plan = "one-to-one",
-                           .light_samples = 2,
-                           .adaptive = Adaptive::TwoStages},
-                      Kind{.name = "adaptive pooled",
-                           .sampler = SamplerType::Sobol,
-                           .plan = "pooled",
-                           .adaptive = Adaptive::TwoStages},
-                      Kind{.name = "adaptive matrix with roulette",
-                           .sampler = SamplerType::Sobol,
-                           .plan = "matrix",
-                           .pool_passes = 2,
-                           .roulette = Roulette::Efficiency,
-                           .adaptive = Adaptive::TwoStages}));
+    ::testing::Values(
+        Kind{"Sobol", SamplerType::Sobol, "one-to-one"}, Kind{"independent", SamplerType::Independent, "one-to-one", 2},
+        Kind{"stratified", SamplerType::Stratified, "one-to-one"}, Kind{"two-way", SamplerType::Sobol, "two-way"},
+        Kind{"pooled", SamplerType::Sobol, "pooled", 2}, Kind{"matrix", SamplerType::Independent, "matrix", 1, 2},
+        Kind{.name = "matrix for all lengths",
+             .sampler = SamplerType::Sobol,
+             .plan = "matrix",
+             .pool_passes = 2,
+             .matrix = Matrix::AllLengths,
+             .pool_pixels = 100},
+        Kind{"tree", SamplerType::Sobol, "one-to-one", 1, 1, Roulette::None, LightSelection::Tree, 3},
+        Kind{.name = "importance",
+             .sampler = SamplerType::Sobol,
+             .plan = "pooled",
+             .light_start = StartBy::Importance,
+             .pool_selection = PoolSelection::Importance,
+             .correlation_aware = true},
+        Kind{"mmlt", SamplerType::Sobol, "mmlt", 1, 2}, Kind{"automatic", SamplerType::Sobol, "automatic", 1, 2},
+        Kind{"automatic_efficient", SamplerType::Sobol, "automatic", 1, 2, Roulette::Efficiency},
+        Kind{"combinatorial", SamplerType::Independent, "combinatorial"},
+        Kind{"roulette", SamplerType::Sobol, "one-to-one", 2, 1, Roulette::Efficiency},
+        Kind{"pooled roulette", SamplerType::Sobol, "pooled", 1, 1, Roulette::Efficiency},
+        Kind{"matrix roulette", SamplerType::Sobol, "matrix", 1, 2, Roulette::Efficiency},
+        Kind{.name = "adaptive",
+             .sampler = SamplerType::Stratified,
+             .plan = "one-to-one",
+             .light_samples = 2,
+             .adaptive = Adaptive::TwoStages},
+        Kind{.name = "adaptive pooled",
+             .sampler = SamplerType::Sobol,
+             .plan = "pooled",
+             .adaptive = Adaptive::TwoStages},
+        Kind{.name = "adaptive matrix with roulette",
+             .sampler = SamplerType::Sobol,
+             .plan = "matrix",
+             .pool_passes = 2,
+             .roulette = Roulette::Efficiency,
+             .adaptive = Adaptive::TwoStages}));
 
 }  // namespace
 }  // namespace bdpt

@@ -92,6 +92,11 @@ for name in path light two-way pooled matrix combinatorial; do
 done
 expect 0 '' render box.pbrt -o m.exr --spp 8 --integrator matrix --connections 2 --pool-passes 4 --order hilbert \
   --partners latin-hypercube
+expect 0 '' render box.pbrt -o m.exr --spp 8 --integrator matrix --pool-pixels 64 --matrix all-lengths
+expect 0 '' compare m.exr full.exr
+expect 3 '^bdpt: .*pool_pixels.*65537' render box.pbrt -o m.exr --spp 8 --integrator matrix --pool-pixels 65537
+expect 3 '^bdpt: .*pool_pixels.*another plan' render box.pbrt -o m.exr --spp 8 --pool-pixels 64
+expect 2 '^bdpt: .*choose one of: all-lengths, per-technique' render box.pbrt -o m.exr --matrix one
 expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette efficiency --json
 grep -q '"1x2": {"energy": 0\.' stdout.txt || fail "no statistics of techniques"
 expect 0 '' render box.pbrt -o r.exr --spp 16 --roulette fixed --roulette-threshold 0.01

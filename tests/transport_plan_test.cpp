@@ -21,13 +21,16 @@ struct Way {
   int connections = 0, light_samples = 1;
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
+  Matrix matrix = Matrix::PerTechnique;
+  int pool_pixels = 0;
   PoolSelection selection = PoolSelection::Uniform;
   bool correlation_aware = false;
   std::string name() const {
     return plan + ", m = " + std::to_string(connections) + ", n = " + std::to_string(light_samples) + ", order " +
            std::to_string(int(order)) + ", partners " + std::to_string(int(partners)) +
            (selection == PoolSelection::Importance ? ", by importance" : "") +
-           (correlation_aware ? ", aware of correlation" : "");
+           (correlation_aware ? ", aware of correlation" : "") + ", matrix " + std::to_string(int(matrix)) +
+           ", pixels " + std::to_string(pool_pixels);
   }
 };
 
@@ -40,14 +43,16 @@ const std::vector<Way> kWays = {
     {"pooled", 4},
     {"pooled", 4, 5},
     {"pooled", 4, 1, 2},
-    {"pooled", 4, 3, 1, Order::Metric, Partners::Sobol, PoolSelection::Importance},
+    {.plan = "pooled", .passes = 4, .connections = 3, .selection = PoolSelection::Importance},
     {"combinatorial", 1},
     {"combinatorial", 1, 0, 2},
-    {"pooled", 2, 32, 1, Order::Metric, Partners::Sobol, PoolSelection::Uniform, true},
-    {"combinatorial", 1, 0, 1, Order::Metric, Partners::Sobol, PoolSelection::Uniform, true},
+    {.plan = "pooled", .passes = 2, .connections = 32, .correlation_aware = true},
+    {.plan = "combinatorial", .passes = 1, .correlation_aware = true},
     {"matrix", 4},
     {"matrix", 4, 3, 1, Order::Hilbert, Partners::LatinHypercube},
     {"matrix", 4, 1, 2, Order::None},
+    {"matrix", 4, 1, 1, Order::Metric, Partners::Sobol, Matrix::AllLengths, 16},
+    {"matrix", 4, 2, 2, Order::Hilbert, Partners::LatinHypercube, Matrix::AllLengths, 1024},
     {"mmlt", 4},
     {"automatic", 4},
 };
@@ -62,6 +67,8 @@ TransportOptions options_of(const Way& way, int max_edges) {
   o.partners = way.partners;
   o.correlation_aware = way.correlation_aware;
   o.pool_selection = way.selection;
+  o.matrix = way.matrix;
+  o.pool_pixels = way.pool_pixels;
   o.pool_passes = 4;
   return o;
 }
@@ -94,27 +101,47 @@ TEST(TransportPlan, AllGiveTheSamePictureOfGlassAndMirrorsByTheMaximumHeuristic)
   expect_agreement({.contents = Contents::Specular}, scenes::room_view_through_lens(), 1, Heuristic::Maximum);
 }
 
-// Samples counted as more or fewer than they are would show as less or more light: what plans do differently, alone,
-// where no two surfaces touch, so that these techniques have little noise.
-TEST(TransportPlan, InnerTechniquesAloneAreThoseOfVeachsPlan) {
-  Builder b;
-  b.add(scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)), scenes::diffuse(0.8f));
-  b.add(scenes::quad(Vec3(-1, 1, -1), Vec3(1, 1, -1), Vec3(1, 1, 1), Vec3(-1, 1, 1)), scenes::diffuse(0.8f));
-  b.add(
-      scenes::quad(Vec3(-0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, -0.1f), Vec3(-0.1f, 0.5f, -0.1f)),
-      scenes::emitter(Rgb(9), true));
-  const ScenePointer scene = b.build();
-  const SensorPointer camera = scenes::camera({Vec3(0, 0.8f, 2), Vec3(0, 0.2f, 0), 40}, kSize, kSize);
-  const auto measure = [&](const Way& way, uint64_t passes, uint64_t seed) {
+// Two plates with a lamp between them: no two surfaces touch, so that techniques of inner vertices have little noise.
+class TransportPlanInner : public ::testing::Test {
+ protected:
+  TransportPlanInner() {
+    Builder b;
+    b.add(scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)), scenes::diffuse(0.8f));
+    b.add(scenes::quad(Vec3(-1, 1, -1), Vec3(1, 1, -1), Vec3(1, 1, 1), Vec3(-1, 1, 1)), scenes::diffuse(0.8f));
+    b.add(scenes::quad(Vec3(-0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, 0.1f), Vec3(0.1f, 0.5f, -0.1f),
+                       Vec3(-0.1f, 0.5f, -0.1f)),
+          scenes::emitter(Rgb(9), true));
+    scene_ = b.build();
+  }
+  BlockMeans measure(const Way& way, const std::function<bool(int, int)>& techniques, uint64_t passes,
+                     uint64_t seed) const {
     TransportOptions options = options_of(way, 4);
-    options.techniques = mask_of([](int s, int t) { return s >= 2 && t >= 2; });
-    return block_means(scene, camera, options, {.passes = passes, .first_seed = seed, .side = kSize});
-  };
-  const BlockMeans expected = measure(kWays[0], 32, 1);
+    options.techniques = mask_of(techniques);
+    return block_means(scene_, camera_, options, {.passes = passes, .first_seed = seed, .side = kSize});
+  }
+
+ private:
+  ScenePointer scene_;
+  SensorPointer camera_ = scenes::camera({Vec3(0, 0.8f, 2), Vec3(0, 0.2f, 0), 40}, kSize, kSize);
+};
+
+// Samples counted as more or fewer than they are would show as less or more light: what plans do differently, alone.
+TEST_F(TransportPlanInner, TechniquesAloneAreThoseOfVeachsPlan) {
+  const auto inner = [](int s, int t) { return s >= 2 && t >= 2; };
+  const BlockMeans expected = measure(kWays[0], inner, 32, 1);
   uint64_t seed = 1;
   for (const Way& way : kWays)
     if (find_plan(way.plan.c_str())->serves(2, 2))
-      expect_same(measure(way, 8, ++seed), expected, kWays.size(), way.name());
+      expect_same(measure(way, inner, 8, ++seed), expected, kWays.size(), way.name());
+}
+
+// Neither a pair that is masked nor one that is too long may be counted as met.
+TEST_F(TransportPlanInner, OneMatrixForAllLengthsServesMasks) {
+  const auto two = [](int s, int t) { return (s == 2 && t == 3) || (s == 3 && t == 2); };
+  const BlockMeans expected = measure(kWays[0], two, 32, 1);
+  for (int pixels : {16, 256})
+    expect_same(measure({"matrix", 1, 1, 1, Order::Metric, Partners::Sobol, Matrix::AllLengths, pixels}, two, 16, 2),
+                expected, 2, std::to_string(pixels));
 }
 
 TEST(SubpathOrder, HilbertCurveStepsFromCellToCell) {
@@ -144,7 +171,7 @@ TEST(SubpathOrder, IsByTheMetricAndHoldsEveryVertexThatCanBeJoined) {
   size_t joinable = 0, found = 0;
   for (const Vertex& v : block.light().vertices) joinable += !v.specular;
   OrderedVertices order;
-  order_subpaths(block.light(), scene->info(), Order::Metric, order);
+  order_subpaths(block.light(), scene->info(), Order::Metric, Lengths::Apart, order);
   for (size_t s = 0; s < order.size(); ++s) {
     double before = 0;
     for (const OrderedVertex& o : order[s]) {

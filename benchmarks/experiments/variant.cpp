@@ -23,7 +23,9 @@ std::string lacks(const Variant& variant) {
   return "";
 }
 
-std::uint64_t passes_at_once(const Variant& variant) { return bdpt::find_plan(variant.plan.c_str())->passes; }
+std::uint64_t passes_at_once(const Variant& variant) {
+  return variant.pool_passes > 0 ? variant.pool_passes : bdpt::find_plan(variant.plan.c_str())->passes;
+}
 
 bdpt_render_desc render_desc(const Variant& variant, std::uint32_t max_edges, std::uint64_t seed) {
   auto desc = bdpt_tool::sized<bdpt_render_desc>();
@@ -35,7 +37,11 @@ bdpt_render_desc render_desc(const Variant& variant, std::uint32_t max_edges, st
   desc.heuristic = variant.heuristic;
   desc.connections = variant.connections;
   desc.light_samples = variant.light_samples;
+  desc.pool_passes = variant.pool_passes;
+  desc.pool_pixels = variant.pool_pixels;
+  desc.matrix = variant.matrix;
   desc.order = variant.order;
+  desc.partners = variant.partners;
   desc.sampler = variant.sampler;
   desc.shadow_roulette = variant.roulette;
   desc.shadow_threshold = variant.roulette_threshold;

@@ -16,7 +16,10 @@ struct Variant {
   std::string techniques = "all";  // in the syntax of bdpt render --techniques
   bdpt_heuristic heuristic = BDPT_HEURISTIC_POWER;
   std::uint32_t connections = 0, light_samples = 0;
+  std::uint32_t pool_passes = 0, pool_pixels = 0;
+  bdpt_matrix_kind matrix = BDPT_MATRIX_PER_TECHNIQUE;
   bdpt_order order = BDPT_ORDER_METRIC;
+  bdpt_partners partners = BDPT_PARTNERS_SOBOL;
   bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
   bdpt_shadow_roulette roulette = BDPT_SHADOW_ROULETTE_NONE;
   float roulette_threshold = 0;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr float kDefaultBeta = 2, kMaxBeta = 64;
 constexpr uint32_t kDefaultStrata = 4, kMaxStrata = 256, kDefaultRouletteStart = 4, kMaxBlock = 65536;
-constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024, kMaxPoolPasses = 64;
+constexpr uint32_t kMaxConnections = 1024, kMaxLightSamples = 1024, kMaxPoolPasses = 64, kMinPoolPixels = 16,
+                   kMaxPoolPixels = 65536;
 constexpr uint32_t kMaxDirect = 64, kMaxLightsInTurn = 64;
 
 // More than any path has, so nothing is lost.
@@ -98,6 +99,13 @@ TransportOptions read_transport(const Subject& subject, const bdpt_render_desc& 
     subject.refuse("pool_passes", "is ", desc.pool_passes, ", but the plan ", plan.name,
                    " has no pools of several passes: give 0, or another plan");
   options.pool_passes = int(desc.pool_passes);
+  if (desc.pool_pixels != 0 && !plan.resizable)
+    subject.refuse("pool_pixels", "is ", desc.pool_pixels, ", but the plan ", plan.name,
+                   " has no pools of pixels to choose: give 0, or another plan");
+  if (desc.pool_pixels != 0) subject.check_range("pool_pixels", desc.pool_pixels, kMinPoolPixels, kMaxPoolPixels);
+  options.pool_pixels = int(desc.pool_pixels);
+  subject.check_enum("matrix", desc.matrix, BDPT_MATRIX_ALL_LENGTHS);
+  options.matrix = static_cast<Matrix>(desc.matrix);
   subject.check_enum("order", desc.order, BDPT_ORDER_NONE);
   options.order = static_cast<Order>(desc.order);
   subject.check_enum("partners", desc.partners, BDPT_PARTNERS_LATIN_HYPERCUBE);

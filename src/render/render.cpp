@@ -92,6 +92,7 @@ struct Render::Call {
 struct Render::Worker {
   explicit Worker(const Engine& engine) : block(engine) {}
   Block block;
+  Booking more;  // than its share of the render's booking
 };
 
 Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor> sensor, std::shared_ptr<Film> film,
@@ -100,6 +101,7 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
       sensor_(std::move(sensor)),
       film_(std::move(film)),
       executor_(std::move(executor)),
+      meter_(std::move(meter)),
       desc_(desc) {
   if (sensor_->width() != film_->desc().width || sensor_->height() != film_->desc().height)
     fail(ErrorCode::Mismatch, "film: it is ", film_->desc().width, " x ", film_->desc().height, ", the sensor ",
@@ -110,17 +112,16 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
     const uint64_t n = engine_->pool_passes;
     check_whole_pools(*engine_, "first_pass", desc.first_pass);
     film_->begin(engine_->recipe());
-    const uint32_t own = engine_->plan.block_size, wanted = desc.block_size ? desc.block_size : kDefaultBlock;
+    const uint32_t own = engine_->pool_pixels, wanted = desc.block_size ? desc.block_size : kDefaultBlock;
     blocks_ = make_blocks(engine_->bounds, own ? own : wanted);
     blocks_done_.assign(blocks_.size(), 0);
     const uint64_t block_samples = uint64_t(blocks_[0].x1 - blocks_[0].x0) * uint64_t(blocks_[0].y1 - blocks_[0].y0);
     const uint64_t each = desc.transport.adaptive == Adaptive::TwoStages ? SampleRates::kMost : 1;
     const uint64_t in_flight = engine_->plan.in_flight ? engine_->plan.in_flight : block_samples * n * each;
-    booking_ =
-        Booking(meter, executor_->worker_count() * in_flight * kBytesPerSample + engine_->direct_lighting.memory(),
-                "the render's blocks and tree of lights");
+    worker_share_ = in_flight * kBytesPerSample;
+    book_blocks();
     if (engine_->options.light_start == StartBy::Importance) find_starts();
-    if (engine_->plan.pooled) make_pool(meter);
+    if (engine_->plan.pooled) make_pool();
     pass_ = next_free_pass(*film_, desc.first_pass);
   } catch (...) {
     film_->release();
@@ -135,7 +136,26 @@ void Render::find_starts() {
   engine_->starts = std::move(pilot.starts);
 }
 
-void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {
+// What the blocks in hand take. Pools of a size that was asked for are not split behind the host's back: their size is
+// part of the result.
+void Render::book_blocks() {
+  const uint64_t workers = executor_->worker_count(), pools = std::min<uint64_t>(workers, blocks_.size());
+  const uint64_t blocks = pools * worker_share_, tree = engine_->direct_lighting.memory();
+  if (engine_->plan.resizable && meter_ && meter_->limit() > 0) {
+    const uint64_t used = meter_->used() + tree, left = meter_->limit() > used ? meter_->limit() - used : 0;
+    const uint64_t fits = left / (workers * engine_->pool_passes * kBytesPerSample);
+    const uint64_t side = uint64_t(std::sqrt(double(fits)));
+    if (blocks > left)
+      fail(ErrorCode::MemoryLimit, "pool_pixels: pools of ", engine_->pool_pixels, " pixels in ", engine_->pool_passes,
+           " passes, one for each of ", pools, " workers, need ", blocks, " bytes, and ", left,
+           " are left of the context's memory_limit: give ",
+           side >= 4 ? "at most " + std::to_string(side * side) + ", or " : std::string(),
+           "fewer pool_passes, or a context with fewer threads");
+  }
+  booking_ = Booking(meter_, blocks + tree, "the render's blocks and tree of lights");
+}
+
+void Render::make_pool() {
   const FloatMode mode;
   const LightPilot pilot = pilot_light(*engine_);
   stats_ += pilot.stats;
@@ -144,7 +164,7 @@ void Render::make_pool(const std::shared_ptr<MemoryMeter>& meter) {
                            (sizeof(Vertex) + 8 + LightPool::bytes_of_choice(engine_->options.pool_selection)) +
                        sizeof(LightStart) + sizeof(Stream) + 4;
   pool_booking_ =
-      Booking(meter, uint64_t(double(engine_->light_per_pass()) * bytes), "the plan's pool of light subpaths");
+      Booking(meter_, uint64_t(double(engine_->light_per_pass()) * bytes), "the plan's pool of light subpaths");
   pool_ = std::make_unique<LightPool>();
 }
 
@@ -180,6 +200,12 @@ void Render::run_task(Call& call, const std::function<void(Block&)>& task) {
     const FloatMode mode;
     std::unique_ptr<Worker> worker = take_worker();
     task(worker->block);
+    // Long paths may need more than was booked for them.
+    const uint64_t bytes = worker->block.memory();
+    if (bytes > worker_share_ + worker->more.bytes()) {
+      worker->more = Booking();
+      worker->more = Booking(meter_, bytes - worker_share_, "a block of the render");
+    }
     const TransportStats stats = worker->block.take_stats();
     call.samples += stats.samples;
     const std::lock_guard lock(workers_mutex_);

@@ -76,7 +76,8 @@ class Render {
   bool run_pilot(Call& call);
   bool choose_strategies(Call& call);
   void find_starts();
-  void make_pool(const std::shared_ptr<MemoryMeter>& meter);
+  void book_blocks();
+  void make_pool();
   void restart_pass();
   bool run_tasks(Call& call, uint32_t count, const std::atomic<uint32_t>& done,
                  const std::function<void(uint32_t)>& task);
@@ -88,8 +89,10 @@ class Render {
   std::shared_ptr<const Sensor> sensor_;
   std::shared_ptr<Film> film_;
   std::shared_ptr<Executor> executor_;
+  std::shared_ptr<MemoryMeter> meter_;
   RenderDesc desc_;
   Booking booking_, pool_booking_;
+  uint64_t worker_share_ = 0;  // bytes that are booked for a worker's block
   std::unique_ptr<Engine> engine_;
   std::vector<BlockRect> blocks_;
   std::vector<uint8_t> blocks_done_;  // of the pass in hand

@@ -86,6 +86,8 @@ Four independent4(const Stream& stream, uint32_t group) {
   return {{to_unit(uint32_t(a)), to_unit(uint32_t(a >> 32)), to_unit(uint32_t(b)), to_unit(uint32_t(b >> 32))}};
 }
 
+double radical_inverse(uint32_t i, uint32_t seed) { return double(reverse_bits(scramble_reversed(i, seed))) * 0x1p-32; }
+
 uint32_t permute(uint32_t i, uint32_t n, uint32_t seed) {
   uint32_t w = n - 1;
   w |= w >> 1, w |= w >> 2, w |= w >> 4, w |= w >> 8, w |= w >> 16;

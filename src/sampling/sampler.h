@@ -51,6 +51,10 @@ Four sobol4(const Stream& stream, uint32_t group);
 // Four independent numbers.
 Four independent4(const Stream& stream, uint32_t group);
 
+// A number of [0,1) with its digits reversed, Owen-scrambled: 2^k neighbours from a multiple of 2^k on fall one into
+// each 2^k-th. With i / n it makes the first n points of a (0,2) sequence.
+double radical_inverse(uint32_t i, uint32_t seed);
+
 // A permutation of [0, n), chosen by seed (Kensler 2013).
 uint32_t permute(uint32_t i, uint32_t n, uint32_t seed);
 

@@ -276,7 +276,7 @@ size_t Block::memory() const {
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
          arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * (sizeof(Rgb) + sizeof(float)) +
-         pixel_samples_.capacity() * sizeof(PixelSample) + kept_.capacity() * sizeof(Contribution);
+         pixel_samples_.capacity() * sizeof(PixelSample) + kept_.capacity() * sizeof(Contribution) + plan_memory_;
 }
 
 }  // namespace bdpt

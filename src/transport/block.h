@@ -13,6 +13,7 @@
 #include "transport/mis.h"
 #include "transport/vertex.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace bdpt {
@@ -69,7 +70,7 @@ class Block {
   TransportStats& stats() { return stats_; }
   TransportStats take_stats();
   const TechniqueTable& techniques() const { return techniques_; }  // since the block was made
-  // Bytes of the buffers.
+  // Bytes of the buffers, with those that the plan had of its own.
   size_t memory() const;
 
   // For plans (plan.h).
@@ -93,9 +94,8 @@ class Block {
       }
   }
   // Whether a plan may join the two: their path is not too long, and its technique takes part.
-  bool allows(const Vertex& y, const Vertex& z) const {
-    return y.count + z.count - 1 <= engine_.max_edges() && strategy_->allows(y.count, z.count);
-  }
+  bool allows(uint32_t s, uint32_t t) const { return s + t - 1 <= engine_.max_edges() && strategy_->allows(s, t); }
+  bool allows(const Vertex& y, const Vertex& z) const { return allows(y.count, z.count); }
   // The same for subpaths of one sample, which may be a chain's and then takes one technique alone.
   bool takes(uint32_t s, uint32_t t, uint32_t sample) const {
     return s + t - 1 <= max_edges_ && (t >= 2 ? *strategy_ : engine_.strategy).allows(s, t) &&
@@ -103,6 +103,8 @@ class Block {
   }
   // s >= 2, t >= 2; y is one of as many as `count` says that z meets. light: what y's links point into.
   void connect(const Vertex& y, const Vertex& z, uint32_t sample, float count, const LightSubpaths& light);
+  // Bytes that a plan had for itself while it connected.
+  void note_memory(size_t bytes) { plan_memory_ = std::max(plan_memory_, bytes); }
   // Tests the connections made so far, when there are many; plans call it between samples.
   void flush_if_full();
 
@@ -220,6 +222,7 @@ class Block {
   std::vector<Contribution> kept_;
   uint64_t seed_ = 0;
   std::vector<PixelSample> pixel_samples_;
+  size_t plan_memory_ = 0;
   std::vector<Rgb> eye_sums_;
   std::vector<float> eye_weights_;
   std::vector<Walker> walkers_, next_walkers_;

@@ -25,6 +25,8 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
 
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
+  if (options.pool_pixels == int(plan.block_size)) options.pool_pixels = 0;
+  pool_pixels = options.pool_pixels > 0 ? uint32_t(options.pool_pixels) : plan.block_size;
   if (options.connections == 0) options.connections = plan.default_connections;
   const bool structured = set_counts(1);
   unweighted = options.heuristic == Heuristic::None;

@@ -50,7 +50,7 @@ struct Engine {
   ShadowRoulette roulette;
   SampleRates rates;
   float light_weight = 1;  // of a light subpath, in the light image
-  Discrete starts;  // of light subpaths: the lights' probabilities by importance, once a pilot has found it
+  Discrete starts;         // of light subpaths: the lights' probabilities by importance, once a pilot has found it
 
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
@@ -64,6 +64,7 @@ struct Engine {
   }
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool
+  uint32_t pool_pixels;  // pixels of a block, where the result depends on them; else 0
   uint64_t samples_per_pass() const { return bounds.count(); }
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
   void set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>& eye, const std::vector<RegionMeasure>& all);

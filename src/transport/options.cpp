@@ -17,6 +17,10 @@ uint64_t TransportOptions::hash() const {
   if (connections != 0 || light_samples != 1 || pool_passes != 0)
     h = hash_values(h, connections, light_samples, pool_passes);
   if (order != Order::Metric || partners != Partners::Sobol) h = hash_values(h, int(order), int(partners));
+  if (pool_pixels != 0 || matrix != Matrix::PerTechnique) {
+    constexpr uint64_t pool = 0x6c6f6f70;  // unlike any numbers above
+    h = hash_values(h, pool, pool_pixels, int(matrix));
+  }
   if (shadow_roulette != Roulette::None) {
     h = hash_values(h, int(shadow_roulette));
     if (shadow_roulette == Roulette::Fixed) h = hash_bytes(&shadow_threshold, sizeof(shadow_threshold), h);

@@ -30,6 +30,8 @@ struct Plan;  // plan.h
 // By what the matrix plan puts subpaths in order, and how it chooses partners in that order.
 enum class Order { Metric, Hilbert, None };
 enum class Partners { Sobol, LatinHypercube };
+// A matrix for each technique (s,t), or one for all.
+enum class Matrix { PerTechnique, AllLengths };
 
 // How the pooled plan chooses among the light vertices of a pass.
 enum class PoolSelection { Uniform, Importance };
@@ -39,6 +41,8 @@ struct TransportOptions {
   int connections = 0;    // light vertices that an eye vertex meets, where the plan lets choose; 0 = its own number
   int light_samples = 1;  // light subpaths for each eye subpath
   int pool_passes = 0;    // passes that the plan takes at once, where it does; 0 = its own number
+  int pool_pixels = 0;    // pixels of a pool's square, where the plan lets choose; 0 = its own number
+  Matrix matrix = Matrix::PerTechnique;
   Order order = Order::Metric;
   Partners partners = Partners::Sobol;
   PoolSelection pool_selection = PoolSelection::Uniform;

@@ -23,6 +23,7 @@ struct Plan {
   bool pooled = false;          // eye vertices meet the light vertices of the whole pass: needs a LightPool
   int default_connections = 0;  // light vertices met by an eye vertex, where `connections` chooses them; else 0
   uint32_t block_size = 0;      // pixels; 0 = the plan's result does not depend on it
+  bool resizable = false;       // pool_pixels may say another block_size
   uint64_t passes = 1;          // passes that a block takes at once, unless pool_passes says otherwise
   bool chains = false;     // of paths: a path must be what its numbers say, so that there is one of everything, one
                            // light subpath, one point on lights, and no roulette of shadow rays

@@ -136,6 +136,8 @@ class RenderCommand {
     desc.connections = options_.connections;
     desc.light_samples = options_.light_samples;
     desc.pool_passes = options_.pool_passes;
+    desc.pool_pixels = options_.pool_pixels;
+    desc.matrix = options_.matrix;
     desc.order = options_.order;
     desc.partners = options_.partners;
     desc.shadow_roulette = options_.roulette;

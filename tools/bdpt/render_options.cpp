@@ -19,6 +19,8 @@ const std::map<std::string, bdpt_order> kOrders = {
     {"metric", BDPT_ORDER_METRIC}, {"hilbert", BDPT_ORDER_HILBERT}, {"none", BDPT_ORDER_NONE}};
 const std::map<std::string, bdpt_partners> kPartners = {{"sobol", BDPT_PARTNERS_SOBOL},
                                                         {"latin-hypercube", BDPT_PARTNERS_LATIN_HYPERCUBE}};
+const std::map<std::string, bdpt_matrix_kind> kMatrix = {{"per-technique", BDPT_MATRIX_PER_TECHNIQUE},
+                                                         {"all-lengths", BDPT_MATRIX_ALL_LENGTHS}};
 const std::map<std::string, bdpt_shadow_roulette> kRoulettes = {{"none", BDPT_SHADOW_ROULETTE_NONE},
                                                                 {"fixed", BDPT_SHADOW_ROULETTE_FIXED},
                                                                 {"efficiency", BDPT_SHADOW_ROULETTE_EFFICIENCY}};
@@ -91,6 +93,10 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
       ->check(positive());
   command.add_option("--pool-passes", options.pool_passes, "Passes taken at once (matrix, automatic: default 8; mmlt: 16)")
       ->check(positive());
+  command.add_option("--pool-pixels", options.pool_pixels, "Pixels of a pool in matrix (default 256)")
+      ->check(positive());
+  add_choice(command, "--matrix", options.matrix, kMatrix,
+             "Matrices of matrix: per-technique (default) or all-lengths");
   add_choice(command, "--order", options.order, kOrders,
              "Order of subpaths in matrix: metric (default), hilbert, none");
   add_choice(command, "--partners", options.partners, kPartners,

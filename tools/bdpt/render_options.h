@@ -25,7 +25,8 @@ struct RenderOptions {
   std::uint64_t seed = 0;
   std::optional<std::uint32_t> width, height, max_edges;
   std::string integrator, techniques;
-  std::uint32_t connections = 0, light_samples = 0, pool_passes = 0;  // 0 = the default
+  std::uint32_t connections = 0, light_samples = 0, pool_passes = 0, pool_pixels = 0;  // 0 = the default
+  bdpt_matrix_kind matrix = BDPT_MATRIX_PER_TECHNIQUE;
   bdpt_order order = BDPT_ORDER_METRIC;
   bdpt_partners partners = BDPT_PARTNERS_SOBOL;
   bdpt_shadow_roulette roulette = BDPT_SHADOW_ROULETTE_NONE;

@@ -146,8 +146,8 @@ void matrix_picture(Report& report) {
   for (const auto& [order, name] : orders) {
     const bool shuffle = order == bdpt::Order::None;
     bdpt::OrderedVertices eye, light;
-    order_subpaths(subpaths.eye, stage.scene->scene->info(), order, eye);
-    order_subpaths(subpaths.light, stage.scene->scene->info(), order, light);
+    order_subpaths(subpaths.eye, stage.scene->scene->info(), order, bdpt::Lengths::Apart, eye);
+    order_subpaths(subpaths.light, stage.scene->scene->info(), order, bdpt::Lengths::Apart, light);
     const auto rows = choose(eye[kEyeVertices], size, shuffle), columns = choose(light[kLightVertices], size, shuffle);
     Matrix matrix = connect(subpaths, rows, columns);
     normalise(matrix);

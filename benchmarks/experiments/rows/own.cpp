@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "rows/rows.h"
 #include "scenes/scenes.h"
@@ -171,29 +170,6 @@ void own_length(Report& report) {
 
 namespace {
 
-struct NamedScene {
-  const char* name;
-  std::function<SceneDescription()> make;
-};
-
-std::vector<NamedScene> table_of_scenes(const Setting& setting) {
-  return {
-      {"Cornell box", [] { return cornell_box(BoxContents::Boxes, BoxLight::Down); }},
-      {"Cornell box, light up", [] { return cornell_box(BoxContents::Boxes, BoxLight::Up); }},
-      {"Cornell box, glass sphere", [] { return cornell_box(BoxContents::GlassSphere, BoxLight::Down); }},
-      {"spheres under a small lamp", [] { return brown_spheres(); }},
-      {"meshes under a small lamp", [] { return brown_meshes(); }},
-      {"lit ceiling patch, r = 1/4", [] { return shrinking_patch(0.25f); }},
-      {"stacked houses", [] { return stacked_houses(); }},
-      {"bathroom", [] { return bathroom(); }},
-      {"hall of 100 lamps", [] { return lamp_hall(100); }},
-      {"egg room", [&] { return bitterli_scene(setting, "veach-bidir"); }},
-      {"door ajar", [&] { return bitterli_scene(setting, "veach-ajar"); }},
-      {"plates and lamps", [&] { return bitterli_scene(setting, "veach-mis"); }},
-      {"water caustic", [&] { return bitterli_scene(setting, "water-caustic"); }},
-  };
-}
-
 std::string chosen(const bdpt_render_stats& stats) {
   const std::pair<const char*, float> shares[] = {{"path tracing", stats.share_path},
                                                   {"two-way", stats.share_two_way},
@@ -209,14 +185,13 @@ std::string chosen(const bdpt_render_stats& stats) {
 
 void own_plans(Report& report) {
   const Setting& setting = report.setting();
-  const std::vector<NamedScene> scenes = table_of_scenes(setting);
   std::vector<Variant> variants = {bidirectional(), path_tracing(), light_tracing()};
   for (std::uint32_t i = 1; bdpt_plan_name(i); ++i) variants.push_back(of_plan(bdpt_plan_name(i)));
   Table table{"Efficiency over that of BDPT; the best of each scene is named last", {"scene"}, {}};
   for (std::size_t v = 1; v < variants.size(); ++v) table.columns.push_back(variants[v].name);
   table.columns.push_back("best");
   std::vector<std::size_t> wins(variants.size());
-  for (const NamedScene& scene : scenes) {
+  for (const NamedScene& scene : scenes_of_the_table(setting)) {
     std::vector<Contestant> contestants;
     try {
       const Stage stage = build_stage(scene.make(), setting.pick(240, 48, 16), setting);
@@ -261,7 +236,7 @@ void own_automatic(Report& report) {
               {}};
   std::size_t reached = 0, unclear = 0;
   std::string missed;
-  for (const NamedScene& scene : table_of_scenes(setting)) {
+  for (const NamedScene& scene : scenes_of_the_table(setting)) {
     std::vector<Contestant> contestants;
     try {
       const Stage stage = build_stage(scene.make(), setting.pick(240, 64, 16), setting);

@@ -3,10 +3,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene_maker.h"
+#include "setting.h"
 
 namespace bdpt_experiments {
 
@@ -41,5 +44,12 @@ SceneDescription triangle_field(std::uint64_t count);
 
 // Ten emitters in closed boxes far from the view, as strong as the scene's own.
 void add_unreachable_emitters(SceneDescription& scene);
+
+// On which every plan is measured. make() throws SceneMissing where the scene is not there.
+struct NamedScene {
+  std::string name;
+  std::function<SceneDescription()> make;
+};
+std::vector<NamedScene> scenes_of_the_table(const Setting& setting);
 
 }  // namespace bdpt_experiments
