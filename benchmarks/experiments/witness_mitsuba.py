@@ -8,6 +8,7 @@ import numpy as np
 mi.set_variant('scalar_rgb')
 ID = 'witness-mitsuba'
 NAME = f'Mitsuba {mi.__version__}'
+METAL = True  # measures rough metal as this library does
 MEASURED = 'Mitsuba is its variant scalar_rgb: not its fastest, but the one that needs no LLVM.'
 
 

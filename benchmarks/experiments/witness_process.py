@@ -9,7 +9,7 @@ _ways = {}
 
 def _about(module):
     witness = importlib.import_module(module)
-    return witness.ID, witness.NAME, witness.MEASURED
+    return witness.ID, witness.NAME, witness.METAL, witness.MEASURED
 
 
 def _load(module, *arguments):
@@ -26,7 +26,7 @@ class Witness:
     def __init__(self, module):
         self._module = module
         self._process = concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context('spawn'))
-        self.id, self.name, self.measured = self._ask(_about, module)
+        self.id, self.name, self.metal, self.measured = self._ask(_about, module)
 
     def _ask(self, *arguments):
         return self._process.submit(*arguments).result()

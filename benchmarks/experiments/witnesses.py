@@ -9,6 +9,7 @@ left out where its module is not to be had. Other renderers: a module like witne
 """
 import json
 import pathlib
+import re
 import resource
 import subprocess
 import sys
@@ -81,9 +82,20 @@ def table(scene, samples, names, images, seconds, reference):
                         f'times faster to equal variance than {first}'], 'rows': rows}, agree
 
 
-def measure(name, scenes, program, witnesses, quick, folder):
+def without_metal(path, folder):
+    """The scene with matt things for metal ones."""
+    text = re.sub(r'"conductor" \][^A-Z]*', '"diffuse" ]\n    "rgb reflectance" [ 0.5 0.5 0.5 ]\n', path.read_text())
+    copy = folder / f'{path.parent.name}, matt for metal' / path.name
+    copy.parent.mkdir()
+    copy.write_text(text)
+    if (path.parent / 'models').exists():
+        (copy.parent / 'models').symlink_to((path.parent / 'models').resolve())
+    return copy
+
+
+def measure(path, program, witnesses, quick, folder):
     """For each witness a table, and whether its means agree."""
-    scene = witness_scene.read(scenes / name / 'scene-v4-grey.pbrt', 96 if quick else 256, folder)
+    scene = witness_scene.read(path, 96 if quick else 256, folder)
     turns, samples = (6, 32) if quick else (12, 64)
     ours = {'bdpt, path tracing': lambda seed: by_bdpt(program, scene, 'path', samples, seed, folder),
             'bdpt, BDPT': lambda seed: by_bdpt(program, scene, 'bdpt', samples, seed, folder)}
@@ -98,7 +110,7 @@ def measure(name, scenes, program, witnesses, quick, folder):
     images = {way: np.array(i) for way, i in images.items()}
     # A render of its own: no way's noise may enter its own measure.
     reference = by_bdpt(program, scene, 'bdpt', samples * turns, 1000000, folder)[0]
-    return [table(scene, samples, [*some, *ours], images, seconds, reference) for some in theirs]
+    return {w.id: table(scene, samples, [*some, *ours], images, seconds, reference) for w, some in zip(witnesses, theirs)}
 
 
 def row(witness, results, quick, seconds):
@@ -132,11 +144,14 @@ def main(arguments):
     begin = time.time()
     witnesses = found(['witness_mitsuba', 'witness_luxcore'])
     with tempfile.TemporaryDirectory() as folder:
-        results = [measure(name, scenes, program, witnesses, quick, pathlib.Path(folder))
-                   for name in ('cornell-box', 'veach-bidir')]
+        folder = pathlib.Path(folder)
+        box, eggs = (scenes / name / 'scene-v4-grey.pbrt' for name in ('cornell-box', 'veach-bidir'))
+        results = [measure(path, program, some, quick, folder) for path, some in (
+            (box, witnesses), (eggs, [w for w in witnesses if w.metal]),
+            (without_metal(eggs, folder), [w for w in witnesses if not w.metal])) if some]
     output.mkdir(parents=True, exist_ok=True)
-    for i, witness in enumerate(witnesses):
-        text = json.dumps(row(witness, [r[i] for r in results], quick, time.time() - begin))
+    for witness in witnesses:
+        text = json.dumps(row(witness, [r[witness.id] for r in results if witness.id in r], quick, time.time() - begin))
         (output / f'{witness.id}.json').write_text(text)
 
 
