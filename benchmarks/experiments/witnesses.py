@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Renders two scenes by Mitsuba 3 and by this library, and writes witness-mitsuba.json for page.py.
+"""Renders two scenes by Mitsuba 3, by LuxCore and by this library, and writes a row of page.py for each of the two.
 
     witnesses.py FOLDER PROGRAM SCENES [--quick]
 
-FOLDER is that of the results, PROGRAM is build/bdpt, SCENES holds Bitterli's grey scenes in pbrt's format, which both
-read: the few directives they are made of are turned into Mitsuba's here.
+FOLDER is that of the results, PROGRAM is build/bdpt, SCENES holds Bitterli's grey scenes in pbrt's format. LuxCore is
+left out where its module is not to be had. Other renderers: a module like witness_luxcore.py, and its name in main().
 """
 import json
 import pathlib
@@ -16,136 +16,31 @@ import sys
 import tempfile
 import time
 
-import mitsuba as mi
 import numpy as np
 
-mi.set_variant('scalar_rgb')
-MAX_EDGES = 6
-TOKEN = re.compile(r'#[^\n]*|"[^"]*"|[\[\]]|[^\s\[\]"]+')
+import witness_scene
+from witness_process import Witness
+
+# LuxCore's bidirectional engine bounds its two subpaths, not their sum. Of these scenes' light less than a thousandth
+# takes paths that are longer than this.
+MAX_EDGES = 12
 
 
-# --- pbrt to Mitsuba ---
+# --- A render by bdpt: a grey picture, and the processor time it took ---
 
-def directives(text):
-    """Yields (name, plain arguments, parameters by name)."""
-    tokens = [t for t in TOKEN.findall(text) if not t.startswith('#')]
-    i = 0
-    while i < len(tokens):
-        name, plain, parameters = tokens[i], [], {}
-        i += 1
-        while i < len(tokens) and not tokens[i][0].isalpha():
-            token = tokens[i]
-            i += 1
-            if token == '[' or (token[0] == '"' and i < len(tokens) and tokens[i] == '[' and ' ' in token):
-                key = token.strip('"').split()[-1] if token != '[' else None
-                end = tokens.index(']', i)
-                values = [t.strip('"') for t in tokens[i + (token != '['):end]]
-                i = end + 1
-                if key:
-                    parameters[key] = values
-                else:
-                    plain += values
-            else:
-                plain.append(token.strip('"'))
-        yield name, plain, parameters
+def read_grey(file):
+    import mitsuba as mi  # here, for what stands above is imported into the processes of the other witnesses, too
+    mi.set_variant('scalar_rgb')
+    return np.array(dict(mi.Bitmap(str(file)).split())['<root>'])[..., :3].mean(axis=2)
 
 
-def floats(values):
-    return [float(v) for v in values]
-
-
-def grey(values):
-    return {'type': 'rgb', 'value': floats(values)}
-
-
-def bsdf(parameters):
-    kind = parameters['type'][0]
-    if kind == 'dielectric':
-        return {'type': 'dielectric', 'int_ior': float(parameters.get('eta', ['1.5'])[0]), 'ext_ior': 1.0}
-    if kind == 'diffuse':
-        inner = {'type': 'diffuse', 'reflectance': grey(parameters['reflectance'])}
-    elif kind == 'conductor':
-        inner = {'type': 'roughconductor', 'distribution': 'ggx', 'alpha': float(parameters['uroughness'][0]),
-                 'eta': grey(parameters['eta']), 'k': grey(parameters['k'])}
-    else:
-        sys.exit(f'witnesses.py: a material of type {kind} has no counterpart here; add it to bsdf()')
-    return {'type': 'twosided', 'inner': inner}
-
-
-def write_ply(path, parameters):
-    points, normals = (np.array(floats(parameters[n])).reshape(-1, 3) for n in 'PN')
-    triangles = np.array([int(v) for v in parameters['indices']]).reshape(-1, 3)
-    header = [f'ply\nformat ascii 1.0\nelement vertex {len(points)}'] + [f'property float {n}' for n in
-              ('x', 'y', 'z', 'nx', 'ny', 'nz')] + [f'element face {len(triangles)}',
-              'property list uchar int vertex_indices', 'end_header']
-    rows = [' '.join(map(repr, map(float, (*p, *n)))) for p, n in zip(points, normals)]
-    path.write_text('\n'.join(header + rows + ['3 ' + ' '.join(map(str, t)) for t in triangles]) + '\n')
-
-
-def matrix(values):
-    return np.array(floats(values)).reshape(4, 4).T
-
-
-def convert(path, width, folder):
-    scene = {'type': 'scene', 'integrator': {'type': 'path', 'max_depth': MAX_EDGES}}
-    materials, material, light, transform, stack = {}, None, None, np.eye(4), []
-    camera, size = {}, (width, width)
-    for name, plain, p in directives(path.read_text()):
-        if name == 'Transform':
-            transform = matrix(plain)
-        elif name == 'Film':
-            size = (width, round(width * int(p['yresolution'][0]) / int(p['xresolution'][0])))
-        elif name == 'Camera':
-            # pbrt's picture has x to the right, Mitsuba's to the left.
-            to_world = np.linalg.inv(transform) @ np.diag([-1.0, 1, 1, 1])
-            camera = {'type': 'perspective', 'fov': float(p['fov'][0]), 'fov_axis': 'smaller',
-                      'to_world': mi.ScalarTransform4f(to_world.tolist())}
-        elif name == 'WorldBegin':
-            transform = np.eye(4)
-        elif name == 'MakeNamedMaterial':
-            materials[plain[0]] = bsdf(p)
-        elif name == 'NamedMaterial':
-            material = materials[plain[0]]
-        elif name == 'AttributeBegin':
-            stack.append((material, light, transform))
-        elif name == 'AttributeEnd':
-            material, light, transform = stack.pop()
-        elif name == 'AreaLightSource':
-            light = grey(p['L'])
-        elif name == 'Shape':
-            file = folder / f'{len(scene)}.ply'
-            if plain[0] == 'trianglemesh':
-                write_ply(file, p)
-            else:
-                file = path.parent / p['filename'][0]
-            shape = {'type': 'ply', 'filename': str(file), 'bsdf': material or bsdf({'type': ['diffuse'],
-                     'reflectance': ['0.5'] * 3}), 'to_world': mi.ScalarTransform4f(transform.tolist())}
-            if light:
-                shape['emitter'] = {'type': 'area', 'radiance': light}
-            scene[f'shape{len(scene)}'] = shape
-    camera['film'] = {'type': 'hdrfilm', 'width': size[0], 'height': size[1], 'rfilter': {'type': 'box'},
-                      'pixel_format': 'rgb', 'component_format': 'float32'}
-    scene['sensor'] = camera
-    return mi.load_dict(scene), size
-
-
-# --- Renders: a grey picture, and the processor time it took ---
-
-def by_mitsuba(scene, samples, seed):
-    begin = time.process_time()
-    image = np.array(mi.render(scene, spp=samples, seed=seed))
-    return image[..., :3].mean(axis=2), time.process_time() - begin
-
-
-def by_bdpt(program, path, size, integrator, samples, seed, folder):
+def by_bdpt(program, scene, integrator, samples, seed, folder):
     used = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
     begin, output = used(), folder / 'picture.exr'
-    subprocess.run([program, 'render', path, '-o', output, '--integrator', integrator, '--spp', str(samples), '--seed',
-                    str(seed), '--filter', 'box', '--max-edges', str(MAX_EDGES), '--width', str(size[0]), '--height',
-                    str(size[1])], check=True, stderr=subprocess.DEVNULL)
-    spent = used() - begin
-    layers = dict(mi.Bitmap(str(output)).split())
-    return np.array(layers['<root>'])[..., :3].mean(axis=2), spent
+    subprocess.run([program, 'render', scene.path, '-o', output, '--integrator', integrator, '--spp', str(samples), '--seed',
+                    str(seed), '--filter', 'box', '--max-edges', str(MAX_EDGES), '--width', str(scene.size[0]), '--height',
+                    str(scene.size[1])], check=True, stderr=subprocess.DEVNULL)
+    return read_grey(output), used() - begin
 
 
 # --- Figures, as docs/experiments.md defines them ---
@@ -165,13 +60,47 @@ def estimate(value, error):
     return {'value': value, 'error': error, 'text': f'{value:.{digits}f} ± {error:.{digits}f}'}
 
 
-def measure(name, scenes, program, quick, folder):
-    path = scenes / name / 'scene-v4-grey.pbrt'
-    scene, size = convert(path, 96 if quick else 256, folder)
+# --- A scene ---
+
+def table(scene, samples, names, images, seconds, reference):
+    """The ways of NAMES, and whether their means agree; the last is what means are divided by, the first what is
+    slower or faster."""
+    first, last, turns = names[0], names[-1], len(seconds[names[0]])
+    cost = lambda way, t: relative_variance(images[way][t], reference) * np.mean(np.array(seconds[way])[t])
+    rows, agree = [], True
+    for way in names:
+        means, others = images[way].mean(axis=(1, 2)), images[last].mean(axis=(1, 2))
+        error = np.hypot(means.std(ddof=1) / means.mean(), others.std(ddof=1) / others.mean()) / np.sqrt(turns)
+        ratio = float(means.mean() / others.mean())
+        agree = agree and (way == last or abs(ratio - 1) < 4 * error + 0.001)
+        faster = '1' if way == first else jackknife(turns, lambda t: cost(first, t) / cost(way, t))
+        rows.append([way, '1' if way == last else estimate(ratio, float(error)),
+                     jackknife(turns, lambda t: relative_variance(images[way][t], reference)),
+                     float(np.mean(seconds[way])), faster])
+    return {'title': f'{scene.path.parent.name}, {scene.size[0]} x {scene.size[1]}, {samples} samples a pixel',
+            'columns': ['', 'mean / BDPT', 'relative variance', 'processor seconds',
+                        f'times faster to equal variance than {first}'], 'rows': rows}, agree
+
+
+def without_metal(path, folder):
+    """The scene with matt things for metal ones."""
+    text = re.sub(r'"conductor" \][^A-Z]*', '"diffuse" ]\n    "rgb reflectance" [ 0.5 0.5 0.5 ]\n', path.read_text())
+    copy = folder / f'{path.parent.name}, matt for metal' / path.name
+    copy.parent.mkdir()
+    copy.write_text(text)
+    if (path.parent / 'models').exists():
+        (copy.parent / 'models').symlink_to((path.parent / 'models').resolve())
+    return copy
+
+
+def measure(path, program, witnesses, quick, folder):
+    """For each witness a table, and whether its means agree."""
+    scene = witness_scene.read(path, 96 if quick else 256, folder)
     turns, samples = (6, 32) if quick else (12, 64)
-    ways = {'Mitsuba 3, path tracing': lambda seed: by_mitsuba(scene, samples, seed),
-            'bdpt, path tracing': lambda seed: by_bdpt(program, path, size, 'path', samples, seed, folder),
-            'bdpt, BDPT': lambda seed: by_bdpt(program, path, size, 'bdpt', samples, seed, folder)}
+    ours = {'bdpt, path tracing': lambda seed: by_bdpt(program, scene, 'path', samples, seed, folder),
+            'bdpt, BDPT': lambda seed: by_bdpt(program, scene, 'bdpt', samples, seed, folder)}
+    theirs = [w.ways(scene, samples, MAX_EDGES) for w in witnesses]
+    ways = {way: render for some in [*theirs, ours] for way, render in some.items()}
     images, seconds = ({way: [] for way in ways} for _ in range(2))
     for turn in range(turns):
         for way, render in ways.items():
@@ -179,25 +108,31 @@ def measure(name, scenes, program, quick, folder):
             images[way].append(image)
             seconds[way].append(spent)
     images = {way: np.array(i) for way, i in images.items()}
-    last = list(ways)[-1]
     # A render of its own: no way's noise may enter its own measure.
-    reference = by_bdpt(program, path, size, 'bdpt', samples * turns, 1000000, folder)[0]
-    first = list(ways)[0]
-    cost = lambda way, turns_: relative_variance(images[way][turns_], reference) * np.mean(np.array(seconds[way])[turns_])
-    rows, agree = [], True
-    for way in ways:
-        means, others = images[way].mean(axis=(1, 2)), images[last].mean(axis=(1, 2))
-        error = np.hypot(means.std(ddof=1) / means.mean(), others.std(ddof=1) / others.mean()) / np.sqrt(turns)
-        ratio = float(means.mean() / others.mean())
-        agree = agree and (way == last or abs(ratio - 1) < 4 * error + 0.001)
-        faster = '1' if way == first else jackknife(turns, lambda t, w=way: cost(first, t) / cost(w, t))
-        rows.append([way, '1' if way == last else estimate(ratio, float(error)),
-                     jackknife(turns, lambda t, w=way: relative_variance(images[w][t], reference)),
-                     float(np.mean(seconds[way])), faster])
-    table = {'title': f'{name}, {size[0]} x {size[1]}, {samples} samples a pixel', 'columns': [
-        '', 'mean / BDPT', 'relative variance', 'processor seconds', 'times faster to equal variance than Mitsuba'],
-        'rows': rows}
-    return table, agree
+    reference = by_bdpt(program, scene, 'bdpt', samples * turns, 1000000, folder)[0]
+    return {w.id: table(scene, samples, [*some, *ours], images, seconds, reference) for w, some in zip(witnesses, theirs)}
+
+
+def row(witness, results, quick, seconds):
+    agree = all(same for _, same in results)
+    return {'id': witness.id, 'paper': witness.name, 'title': 'Another renderer', 'claim': 'Renderers measure the same.',
+            'size': 'quick' if quick else 'full', 'seconds': seconds, 'processor_share': 1,
+            'verdict': 'agrees' if agree else 'differs',
+            'verdict_text': 'The means agree within four standard errors.' if agree else 'The means do not agree.',
+            'measured': f'Grey scenes, paths of up to {MAX_EDGES} edges, box filter. {witness.measured} The time of bdpt '
+                        'holds reading the scene, too.',
+            'notes': [], 'tables': [t for t, _ in results], 'plots': [], 'pictures': []}
+
+
+def found(modules):
+    """The witnesses that can be had; tells of the others."""
+    witnesses = []
+    for module in modules:
+        try:
+            witnesses.append(Witness(module))
+        except Exception as error:  # another's binaries may fail by anything
+            print(f'{module} is left out: {error}', file=sys.stderr)
+    return witnesses
 
 
 def main(arguments):
@@ -206,21 +141,18 @@ def main(arguments):
     if len(arguments) != 3:
         sys.exit(__doc__)
     output, program, scenes = pathlib.Path(arguments[0]), arguments[1], pathlib.Path(arguments[2])
-    begin, tables, agree = time.time(), [], True
+    begin = time.time()
+    witnesses = found(['witness_mitsuba', 'witness_luxcore'])
     with tempfile.TemporaryDirectory() as folder:
-        for name in ('cornell-box', 'veach-bidir'):
-            table, same = measure(name, scenes, program, quick, pathlib.Path(folder))
-            tables.append(table)
-            agree = agree and same
+        folder = pathlib.Path(folder)
+        box, eggs = (scenes / name / 'scene-v4-grey.pbrt' for name in ('cornell-box', 'veach-bidir'))
+        results = [measure(path, program, some, quick, folder) for path, some in (
+            (box, witnesses), (eggs, [w for w in witnesses if w.metal]),
+            (without_metal(eggs, folder), [w for w in witnesses if not w.metal])) if some]
     output.mkdir(parents=True, exist_ok=True)
-    (output / 'witness-mitsuba.json').write_text(json.dumps({
-        'id': 'witness-mitsuba', 'paper': f'Mitsuba {mi.__version__}', 'title': 'Another renderer',
-        'claim': 'Renderers measure the same.', 'size': 'quick' if quick else 'full', 'seconds': time.time() - begin,
-        'processor_share': 1, 'verdict': 'agrees' if agree else 'differs',
-        'verdict_text': 'The means agree within four standard errors.' if agree else 'The means do not agree.',
-        'measured': f'Grey scenes, paths of up to {MAX_EDGES} edges, box filter. Mitsuba is its variant scalar_rgb: not '
-                    'its fastest, but the one that needs no LLVM. The time of bdpt holds reading the scene, too.',
-        'notes': [], 'tables': tables, 'plots': [], 'pictures': []}))
+    for witness in witnesses:
+        text = json.dumps(row(witness, [r[witness.id] for r in results if witness.id in r], quick, time.time() - begin))
+        (output / f'{witness.id}.json').write_text(text)
 
 
 if __name__ == '__main__':
