@@ -109,17 +109,19 @@ struct CoverEffort {
   uint64_t passes = 2;
   int combinatorial_seeds = 8;  // of one pass
   Effort reference{.passes = 16, .side = 16};
+  TechniqueMask techniques{};
 };
 
 // All of them measure what Veach's plan does with many samples. left_out: a plan whose variance is not finite here.
 inline void expect_cover_agrees(const ScenePointer& scene, const SensorPointer& camera, int max_edges,
                                 const CoverEffort& effort = {}, const std::string& left_out = "") {
-  const BlockMeans expected = block_means(scene, camera, options_for({}, max_edges), effort.reference);
+  const BlockMeans expected = block_means(scene, camera, options_for(effort.techniques, max_edges), effort.reference);
   const std::vector<Choice> rows = pairwise_cover(sizes());
   for (size_t i = 0; i < rows.size(); ++i) {
     TransportOptions options = options_of(rows[i]);
     if (options.plan->name == left_out) continue;
     options.max_edges = max_edges;
+    options.techniques = effort.techniques;
     Effort own{.seeds = effort.seeds, .passes = effort.passes, .first_seed = 2 + i, .side = effort.side};
     if (options.plan->name == std::string("combinatorial")) own.passes = 1, own.seeds = effort.combinatorial_seeds;
     expect_same(block_means(scene, camera, options, own), expected, rows.size(), name_of(rows[i]));

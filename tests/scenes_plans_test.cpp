@@ -21,6 +21,13 @@ int edges_of(const std::string& scene) {
   return 6;
 }
 
+// A mirror shows a small lamp to one eye subpath in ten thousands: without them. Up to three edges all other paths are
+// found by every plan.
+TechniqueMask techniques_of(const std::string& scene) {
+  const bool small = scene == "spheres under a small lamp" || scene == "meshes under a small lamp";
+  return mask_of([=](int s, int) { return s > 0 || !small; });
+}
+
 std::vector<ex::NamedScene> table() {
   ex::Setting setting;
   setting.scenes = BDPT_SHARED_DIR "/scenes/bitterli";
@@ -44,7 +51,7 @@ TEST_P(ScenesPlans, AllMeasureTheSame) {
   const uint32_t width = square ? 64 : 80, height = square ? 64 : 48;  // in blocks of 16 x 16
   const bdpt_camera_desc camera = bdpt_tool::camera_desc(description, width, height, silent);
   const auto sensor = bdpt_tool::make<bdpt_tool::Sensor>("the camera", bdpt_camera_create, context.get(), &camera);
-  expect_cover_agrees(scene->scene, sensor->sensor, edges_of(named.name));
+  expect_cover_agrees(scene->scene, sensor->sensor, edges_of(named.name), {.techniques = techniques_of(named.name)});
 }
 
 std::string name_of_case(const ::testing::TestParamInfo<size_t>& info) {
