@@ -48,7 +48,7 @@ TEST_P(AdaptiveOf, LeavesThePictureAsItWas) {
   expect_all_same(means, {"one each", "adaptive", "adaptive, by weights"});
 }
 
-// The noise is small enough to tell two per cent, of the picture and of the light image.
+// The noise is small enough to tell two per cent, of the picture and of the light image; five where samples are slow.
 TEST_P(AdaptiveOf, CountsSamplesInFull) {
   const ScenePointer scene = scenes::room({}).build();
   const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
@@ -64,7 +64,7 @@ TEST_P(AdaptiveOf, CountsSamplesInFull) {
     }
     expect_all_same(means, {"one each", "adaptive"});
     const double error = std::hypot(means[0].whole().standard_error(), means[1].whole().standard_error());
-    EXPECT_LT(4 * error, 0.02 * means[0].whole().mean());
+    EXPECT_LT(4 * error, (is_slow() ? 0.05 : 0.02) * means[0].whole().mean());
   }
 }
 

@@ -341,6 +341,22 @@ TEST(TransportWeights, OfRandomDensitiesSumToOne) {
       for (int s = 0; s <= k + 1; ++s) sum += reference_weight(path, s, with(options, kind));
       EXPECT_NEAR(sum, 1, 1e-9) << kind.name << ", k = " << k;
     }
+    // Shares are sums of the balance heuristic's weights, from wherever the path came.
+    options.heuristic = Heuristic::Balance;
+    options.correlation_aware = false;
+    double eye = 0, light = 0;
+    for (int s = 0; s <= k + 1; ++s) {
+      const int t = k + 1 - s;
+      const double weight = reference_weight(path, s, options);
+      if (t <= 1)
+        light += weight;
+      else if (s <= 1)
+        eye += weight;
+    }
+    const TechniqueShares shares = balance_shares(path, 0, options.techniques);
+    EXPECT_NEAR(shares.own, reference_weight(path, 0, options), 1e-6);
+    EXPECT_NEAR(shares.eye, eye, 1e-6);
+    EXPECT_NEAR(shares.light, light, 1e-6);
   }
 }
 

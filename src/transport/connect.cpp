@@ -232,7 +232,7 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
   }
   PathTechniques path{path_.data(),  int(path_.size()), direct, s0_exists, engine_.sensor.is_hittable(),
                       corner_exists, strategy.counts};
-  if (engine_.tells_shares) shares_ = balance_shares(path, int(s), strategy.techniques);
+  if (engine_.tells_shares) return (shares_ = balance_shares(path, int(s), strategy.techniques)).own;
   return float(reference_weight(path, int(s), engine_.options, strategy.techniques));
 }
 

@@ -80,7 +80,7 @@ struct Engine {
   float share(const Plan& plan) const;
   // What tiles do from now on. No sample may be under way.
   void choose(StrategyMap map);
-  // For pilots: balance_shares() of all contributions.
+  // For pilots by the balance heuristic: balance_shares() of all contributions.
   void tell_shares() { tells_shares = true, running_sums = false; }
   // A strategy of this engine's techniques for a plan, with other counts.
   Strategy make_strategy(const Plan& plan, const TransportOptions& counts, double light_vertices = 1) const;

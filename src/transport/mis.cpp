@@ -97,7 +97,7 @@ TechniqueShares balance_shares(const PathTechniques& path, int s, const Techniqu
     else if (i <= 1)
       eye += v;
   }
-  return {float(eye / all), float(light / all)};
+  return {float(eye / all), float(light / all), float(p[size_t(s)] / all)};
 }
 
 }  // namespace bdpt

@@ -7,10 +7,11 @@ namespace bdpt {
 
 namespace {
 
-constexpr int kSmooth = 1;       // tiles on either side whose measures are averaged
-constexpr double kDark = 0.01;   // of the mean of all squared: keeps dark tiles from ruling the sum
-constexpr double kLeast = 0.02;  // of the second moment: few samples may show no variance at all
-constexpr double kGain = 0.97;   // more light subpaths must win by so much
+constexpr int kSmooth = 1;          // tiles on either side whose measures are averaged
+constexpr double kDark = 0.01;      // of the mean of all squared: keeps dark tiles from ruling the sum
+constexpr double kLeast = 0.02;     // of the second moment: few samples may show no variance at all
+constexpr double kOverNone = 0.95;  // light subpaths must win by so much over none,
+constexpr double kOverFewer = 0.9;  // and more of them over fewer
 constexpr int kRounds = 12;
 
 // Relative variance and cost of a tile's pixels, by candidates.
@@ -122,7 +123,7 @@ StrategyMap StrategyPilot::choose() const {
       if ((kCandidates[a].light_samples == n) && covers_all(kCandidates[a].join)) allowed.push_back(uint8_t(a));
     if (allowed.empty()) continue;
     const Choice c = best_of(terms, allowed, light_cost * n * double(engine_.samples_per_pass()));
-    if (best.candidates.empty() || c.product() < kGain * best.product()) best = c;
+    if (best.candidates.empty() || c.product() < (n > 1 ? kOverFewer : kOverNone) * best.product()) best = c;
   }
 
   StrategyMap map;

@@ -9,7 +9,7 @@ namespace {
 
 // Of each tile so many pixels a side, so often that small images have enough samples, too.
 constexpr int kSide = 2;
-constexpr uint32_t kFewestPasses = 4, kMostPasses = 64, kFewestSamples = 2048;
+constexpr uint32_t kFewestPasses = 4, kMostPasses = 64, kFewestSamples = 1024;
 
 // Costs, in rays that extend an eye subpath: by least squares over the times of scenes (docs/plans.md). An end's shadow
 // ray comes with the connections that were weighed for it in vain.
