@@ -13,7 +13,7 @@ constexpr uint32_t kFewestPasses = 4, kMostPasses = 64, kFewestSamples = 1024;
 
 // Costs, in rays that extend an eye subpath: by least squares over the times of scenes (docs/plans.md). An end's shadow
 // ray comes with the connections that were weighed for it in vain.
-constexpr double kLightRay = 1.3, kEnd = 0.9, kShadowRay = 0.6, kConnection = 0.2, kMatrixConnection = 0.4;
+constexpr double kLightRay = 1.1, kEnd = 0.95, kShadowRay = 0.6, kConnection = 0.35, kMatrixConnection = 0.4;
 
 TransportOptions pilot_options(const TransportOptions& wanted) {
   TransportOptions options = wanted;
