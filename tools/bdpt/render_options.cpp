@@ -91,7 +91,8 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--connections", options.connections, "Light vertices that each eye vertex meets (pooled, matrix)")
       ->check(positive());
-  command.add_option("--pool-passes", options.pool_passes, "Passes taken at once (matrix, automatic: default 8; mmlt: 16)")
+  command
+      .add_option("--pool-passes", options.pool_passes, "Passes taken at once (matrix, automatic: default 8; mmlt: 16)")
       ->check(positive());
   command.add_option("--pool-pixels", options.pool_pixels, "Pixels of a pool in matrix (default 256)")
       ->check(positive());
