@@ -68,7 +68,7 @@ TEST(FilmFilter, SplatsThePixelsItCovers) {
     for (const FilmPosition& at :
          {FilmPosition(9.3f, 8.8f), FilmPosition(0.2f, 17.6f), FilmPosition(-0.4f, 3), FilmPosition(20.2f, -0.2f)}) {
       Film film(desc, nullptr);
-      const SampleBounds bounds = film.sample_bounds();
+      const PixelRect bounds = film.sample_bounds();
       if (at.x < float(bounds.x0) || at.x >= float(bounds.x1) || at.y < float(bounds.y0) || at.y >= float(bounds.y1))
         continue;
       film.add_eye_sample(at, Rgb(1, 0, 0));
@@ -94,7 +94,7 @@ TEST(FilmFilter, SamplesAMarginOfItsRadius) {
   for (const Named& f : kFilters) {
     FilmDesc desc = film_desc(7, 5);
     desc.filter = f.desc;
-    const SampleBounds bounds = Film(desc, nullptr).sample_bounds();
+    const PixelRect bounds = Film(desc, nullptr).sample_bounds();
     const Filter filter(f.desc);
     // All that reaches a border pixel's centre, and no more than a pixel beyond.
     EXPECT_LE(float(bounds.x0), 0.5f - filter.radius() + 1e-6f) << f.name;

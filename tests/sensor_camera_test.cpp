@@ -50,7 +50,7 @@ std::vector<Kind> cameras() {
   return kinds;
 }
 
-SampleBounds bounds_of(const Camera& camera, int margin = 2) {
+PixelRect bounds_of(const Camera& camera, int margin = 2) {
   return {-margin, -margin, camera.width() + margin, camera.height() + margin};
 }
 
@@ -58,7 +58,7 @@ SampleBounds bounds_of(const Camera& camera, int margin = 2) {
 TEST(SensorCamera, StartAndHitAgree) {
   for (const Kind& kind : cameras()) {
     const Camera camera(kind.desc);
-    const SampleBounds bounds = bounds_of(camera);
+    const PixelRect bounds = bounds_of(camera);
     Uniform uniform(1);
     for (int i = 0; i < 2000; ++i) {
       const FilmPosition film(float(bounds.x0) + uniform() * float(bounds.width()),
@@ -95,7 +95,7 @@ TEST(SensorCamera, EveryStartIsOnTheLens) {
   for (const Kind& kind : cameras()) {
     const Camera camera(kind.desc);
     if (!camera.is_hittable()) continue;
-    const SampleBounds bounds = bounds_of(camera);
+    const PixelRect bounds = bounds_of(camera);
     Uniform uniform(2);
     int missed = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -111,7 +111,7 @@ TEST(SensorCamera, EveryStartIsOnTheLens) {
 TEST(SensorCamera, SampleTowardAgreesWithHit) {
   for (const Kind& kind : cameras()) {
     const Camera camera(kind.desc);
-    const SampleBounds bounds = bounds_of(camera);
+    const PixelRect bounds = bounds_of(camera);
     Uniform uniform(3);
     int seen_count = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -137,7 +137,7 @@ TEST(SensorCamera, SampleTowardAgreesWithHit) {
 TEST(SensorCamera, DensityOfDirectionsIntegratesToOne) {
   for (const Kind& kind : cameras()) {
     const Camera camera(kind.desc);
-    const SampleBounds bounds = bounds_of(camera, 0);
+    const PixelRect bounds = bounds_of(camera, 0);
     const Vec3 forward = -kind.desc.transform.column(2);
     const Frame frame(forward);
     Uniform uniform(4);
@@ -162,7 +162,7 @@ TEST(SensorCamera, AreaOfTheLensIsThatOfItsDensity) {
   for (const Kind& kind : cameras()) {
     const Camera camera(kind.desc);
     if (!camera.is_hittable()) continue;
-    const SampleBounds bounds = bounds_of(camera);
+    const PixelRect bounds = bounds_of(camera);
     const CameraDesc& d = kind.desc;
     const Vec3 right = d.transform.column(0), up = d.transform.column(1), back = d.transform.column(2);
     Uniform uniform(5);

@@ -81,8 +81,8 @@ TEST(TransportAutomaticWeights, RunningSumsAreThoseOfThePlainLoop) {
   std::map<std::pair<bool, bool>, int> seen;  // splat, joins inner
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column) {
-      const SampleBounds r = sums.map->tiles.pixels(column, row);
-      const BlockRect rect{r.x0, r.y0, r.x1, r.y1};
+      const PixelRect r = sums.map->tiles.pixels(column, row);
+      const PixelRect rect{r.x0, r.y0, r.x1, r.y1};
       const std::vector<Contribution> x = a.sample_pilot(2, rect, nullptr), y = b.sample_pilot(2, rect, nullptr);
       ASSERT_EQ(x.size(), y.size());
       for (size_t i = 0; i < x.size(); ++i) {

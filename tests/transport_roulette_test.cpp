@@ -168,12 +168,12 @@ TEST(ShadowRoulette, ThresholdIsTheDeviationPerRay) {
 
 TEST(RegionGrid, CoversEveryPixelOnce) {
   for (const auto& [w, h] : std::vector<std::pair<int, int>>{{1, 1}, {7, 9}, {64, 20}, {1000, 333}}) {
-    const SampleBounds bounds{-2, 3, w - 2, h + 3};
+    const PixelRect bounds{-2, 3, w - 2, h + 3};
     const RegionGrid grid(bounds);
     int covered = 0;
     for (int row = 0; row < grid.rows(); ++row)
       for (int column = 0; column < grid.columns(); ++column) {
-        const RegionGrid::Rect r = grid.rect(column, row);
+        const PixelRect r = grid.rect(column, row);
         ASSERT_LT(r.x0, r.x1);
         ASSERT_LT(r.y0, r.y1);
         covered += (r.x1 - r.x0) * (r.y1 - r.y0);

@@ -22,7 +22,7 @@ class FloorSensor final : public bdpt::Sensor {
   bool is_hittable() const override { return true; }
   std::uint64_t hash() const override { return bdpt::hash_values(texels_, 0x466c6f6f72); }
 
-  bdpt::EyeStart start(const bdpt::FilmPosition& film, const float lens[2], const bdpt::SampleBounds&) const override {
+  bdpt::EyeStart start(const bdpt::FilmPosition& film, const float lens[2], const bdpt::PixelRect&) const override {
     bdpt::EyeStart s;
     s.film = film;
     s.p = point(film);
@@ -36,14 +36,14 @@ class FloorSensor final : public bdpt::Sensor {
     return s;
   }
 
-  bool sample_toward(const bdpt::Vec3& x, const float lens[2], const bdpt::SampleBounds&,
+  bool sample_toward(const bdpt::Vec3& x, const float lens[2], const bdpt::PixelRect&,
                      bdpt::SensorPoint& z0) const override {
     if (!(x.y > kHover)) return false;
     see({lens[0] * float(texels_), lens[1] * float(texels_)}, z0);
     return true;
   }
 
-  bool hit(const bdpt::Vec3& origin, const bdpt::Vec3& direction, float tmax, const bdpt::SampleBounds&,
+  bool hit(const bdpt::Vec3& origin, const bdpt::Vec3& direction, float tmax, const bdpt::PixelRect&,
            bdpt::SensorPoint& z0) const override {
     if (!(direction.y < 0)) return false;
     const float t = (kHover - origin.y) / direction.y;

@@ -11,7 +11,7 @@ namespace {
 constexpr uint64_t kPixelSize = 3 * sizeof(float);
 constexpr uint64_t kMaxRowStride = uint64_t(1) << 40;
 
-Film::Rect read_rect(const Subject& subject, const uint32_t rect[4], const FilmDesc& film) {
+PixelRect read_rect(const Subject& subject, const uint32_t rect[4], const FilmDesc& film) {
   if (std::all_of(rect, rect + 4, [](uint32_t v) { return v == 0; })) return {0, 0, film.width, film.height};
   if (rect[0] >= rect[2] || rect[1] >= rect[3] || rect[2] > uint32_t(film.width) || rect[3] > uint32_t(film.height))
     subject.refuse("rect", "is (", rect[0], ", ", rect[1], ") to (", rect[2], ", ", rect[3],
@@ -32,7 +32,7 @@ void check_layer(const Subject& subject, const bdpt_read_desc& desc, const FilmD
 }
 
 // The bytes from row to row.
-uint64_t read_row_stride(const Subject& subject, const bdpt_read_desc& desc, const Film::Rect& rect,
+uint64_t read_row_stride(const Subject& subject, const bdpt_read_desc& desc, const PixelRect& rect,
                          uint64_t capacity) {
   const uint64_t packed = uint64_t(rect.x1 - rect.x0) * kPixelSize, rows = uint64_t(rect.y1 - rect.y0);
   const uint64_t stride = desc.row_stride ? desc.row_stride : packed;
@@ -44,7 +44,7 @@ uint64_t read_row_stride(const Subject& subject, const bdpt_read_desc& desc, con
   return stride;
 }
 
-void turn_over(float* pixels, const Film::Rect& rect, size_t row_stride) {
+void turn_over(float* pixels, const PixelRect& rect, size_t row_stride) {
   const size_t width = size_t(rect.x1 - rect.x0) * 3, rows = size_t(rect.y1 - rect.y0);
   for (size_t top = 0, bottom = rows - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(pixels + top * row_stride, pixels + top * row_stride + width, pixels + bottom * row_stride);
@@ -63,7 +63,7 @@ bdpt_result bdpt_film_read(const bdpt_film* film, const bdpt_read_desc* desc, fl
     check_layer(subject, d, f.desc());
     subject.check_flag("flip", d.flip);
     subject.check_flag("include_partial", d.include_partial);
-    const Film::Rect rect = read_rect(subject, d.rect, f.desc());
+    const PixelRect rect = read_rect(subject, d.rect, f.desc());
     const size_t row_stride = size_t(read_row_stride(subject, d, rect, capacity) / sizeof(float));
     // While a render is at work there is a pass in hand, but none that was interrupted.
     const bool partial = d.include_partial != 0 && !film->busy.is_set();

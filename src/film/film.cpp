@@ -29,7 +29,7 @@ Film::Film(const FilmDesc& desc, std::shared_ptr<MemoryMeter> meter)
   pyramid_pass_.resize(pyramid_.size());
 }
 
-SampleBounds Film::sample_bounds() const {
+PixelRect Film::sample_bounds() const {
   const int margin = int(std::ceil(filter_.radius() - 0.5f));
   return {-margin, -margin, desc_.width + margin, desc_.height + margin};
 }
@@ -212,7 +212,7 @@ void Film::read_group(int group, size_t pixel, double rgb[3]) const {
   for (int c = 0; c < 3; ++c) rgb[c] = sums.eye[c] * scale + (passes > 0 ? sums.light[c] / passes : 0);
 }
 
-void Film::read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* out,
+void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool include_partial, float* out,
                 size_t row_stride) const {
   include_partial = include_partial && partial_;
   const double whole = double(passes() + (include_partial ? recipe_.pool_passes : 0));
@@ -270,7 +270,7 @@ double Film::relative_error() const {
   int filled = 0;
   for (int g = 0; g < desc_.groups; ++g) filled += passes_in_group(g) > 0;
   if (filled < 2) return -1;
-  const Rect all{0, 0, desc_.width, desc_.height};
+  const PixelRect all{0, 0, desc_.width, desc_.height};
   std::vector<float> color(pixels() * 3), variance(pixels() * 3);
   read(FilmLayer::Color, 0, 0, all, false, color.data(), size_t(desc_.width) * 3);
   read(FilmLayer::Variance, 0, 0, all, false, variance.data(), size_t(desc_.width) * 3);

@@ -68,7 +68,7 @@ class Film {
   const FilmDesc& desc() const { return desc_; }
   const Filter& filter() const { return filter_; }
   // The pixels that must be sampled: those of the film and a margin by the filter's radius.
-  SampleBounds sample_bounds() const;
+  PixelRect sample_bounds() const;
 
   bool is_empty() const { return ranges_.empty(); }
   const FilmRecipe& recipe() const { return recipe_; }
@@ -101,11 +101,8 @@ class Film {
   void set_partial(bool partial) { partial_ = partial; }     // whether the pass in hand holds finished blocks
 
   // --- Reading ---
-  struct Rect {
-    int x0, y0, x1, y1;
-  };
   // Writes 3 floats per pixel to rows `row_stride` floats apart.
-  void read(FilmLayer layer, int s, int t, const Rect& rect, bool include_partial, float* pixels,
+  void read(FilmLayer layer, int s, int t, const PixelRect& rect, bool include_partial, float* pixels,
             size_t row_stride) const;
   // Square root of the mean relative variance; -1 while unknown.
   double relative_error() const;

@@ -30,9 +30,9 @@ uint64_t next_free_pass(const Film& film, uint64_t first) {
   return first;
 }
 
-std::vector<BlockRect> make_blocks(const SampleBounds& bounds, uint32_t samples) {
+std::vector<PixelRect> make_blocks(const PixelRect& bounds, uint32_t samples) {
   const int side = std::max(1, int(std::lround(std::sqrt(double(samples)))));
-  std::vector<BlockRect> blocks;
+  std::vector<PixelRect> blocks;
   for (int y = bounds.y0; y < bounds.y1; y += side)
     for (int x = bounds.x0; x < bounds.x1; x += side)
       blocks.push_back({x, y, std::min(x + side, bounds.x1), std::min(y + side, bounds.y1)});

@@ -94,7 +94,7 @@ class Render {
   Booking booking_, pool_booking_;
   uint64_t worker_share_ = 0;  // bytes that are booked for a worker's block
   std::unique_ptr<Engine> engine_;
-  std::vector<BlockRect> blocks_;
+  std::vector<PixelRect> blocks_;
   std::vector<uint8_t> blocks_done_;  // of the pass in hand
   uint64_t pass_ = 0;                 // the pass in hand
   std::unique_ptr<LightPool> pool_;   // for plans that need one

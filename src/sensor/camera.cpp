@@ -51,7 +51,7 @@ bool Camera::is_on_lens(const Vec2& p) const {
   return std::sqrt(p.x * p.x + p.y * p.y) * std::cos(angle - sector / 2) <= std::cos(sector / 2);
 }
 
-EyeStart Camera::start(const FilmPosition& film, const float lens[2], const SampleBounds& bounds) const {
+EyeStart Camera::start(const FilmPosition& film, const float lens[2], const PixelRect& bounds) const {
   EyeStart s;
   s.film = film;
   s.normal = forward_;
@@ -74,7 +74,7 @@ EyeStart Camera::start(const FilmPosition& film, const float lens[2], const Samp
 }
 
 // Fills in all but p: film position, W_e and densities for light that leaves z0 along to_world (any length).
-bool Camera::see(const Vec3& z0, const Vec3& to_world, const SampleBounds& bounds, SensorPoint& point) const {
+bool Camera::see(const Vec3& z0, const Vec3& to_world, const PixelRect& bounds, SensorPoint& point) const {
   const float depth = dot(to_world, forward_);
   if (!(depth > 0)) return false;
   Vec3 in_focus = to_world * (1 / depth);
@@ -92,7 +92,7 @@ bool Camera::see(const Vec3& z0, const Vec3& to_world, const SampleBounds& bound
   return true;
 }
 
-bool Camera::sample_toward(const Vec3& x, const float lens[2], const SampleBounds& bounds, SensorPoint& z0) const {
+bool Camera::sample_toward(const Vec3& x, const float lens[2], const PixelRect& bounds, SensorPoint& z0) const {
   z0.p = origin_;
   if (is_hittable()) {
     const Vec2 l = sample_lens(lens) * desc_.lens_radius;
@@ -101,7 +101,7 @@ bool Camera::sample_toward(const Vec3& x, const float lens[2], const SampleBound
   return see(z0.p, x - z0.p, bounds, z0);
 }
 
-bool Camera::hit(const Vec3& origin, const Vec3& direction, float tmax, const SampleBounds& bounds,
+bool Camera::hit(const Vec3& origin, const Vec3& direction, float tmax, const PixelRect& bounds,
                  SensorPoint& z0) const {
   const float toward = dot(direction, forward_);
   if (!(toward < 0)) return false;

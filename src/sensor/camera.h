@@ -27,15 +27,15 @@ class Camera final : public Sensor {
   bool is_hittable() const override { return desc_.lens_radius > 0; }
   uint64_t hash() const override;
 
-  EyeStart start(const FilmPosition& film, const float lens[2], const SampleBounds& bounds) const override;
-  bool sample_toward(const Vec3& x, const float lens[2], const SampleBounds& bounds, SensorPoint& z0) const override;
-  bool hit(const Vec3& origin, const Vec3& direction, float tmax, const SampleBounds& bounds,
+  EyeStart start(const FilmPosition& film, const float lens[2], const PixelRect& bounds) const override;
+  bool sample_toward(const Vec3& x, const float lens[2], const PixelRect& bounds, SensorPoint& z0) const override;
+  bool hit(const Vec3& origin, const Vec3& direction, float tmax, const PixelRect& bounds,
            SensorPoint& z0) const override;
 
  private:
   Vec2 sample_lens(const float u[2]) const;  // in units of lens_radius
   bool is_on_lens(const Vec2& p) const;      // the same
-  bool see(const Vec3& z0, const Vec3& to_world, const SampleBounds& bounds, SensorPoint& point) const;
+  bool see(const Vec3& z0, const Vec3& to_world, const PixelRect& bounds, SensorPoint& point) const;
 
   CameraDesc desc_;
   Vec3 origin_, right_, up_, forward_;

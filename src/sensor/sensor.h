@@ -31,8 +31,8 @@ struct SensorPoint {
   float density_direction;  // P_sigma-perp(z0 -> x)
 };
 
-// The pixels whose eye subpaths are traced: [x0, x1) x [y0, y1), film coordinates.
-struct SampleBounds {
+// Pixels [x0, x1) x [y0, y1), in film coordinates.
+struct PixelRect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   uint64_t count() const { return uint64_t(x1 - x0) * uint64_t(y1 - y0); }
   int width() const { return x1 - x0; }
@@ -50,11 +50,11 @@ class Sensor {
 
   // Starts an eye subpath at a film position with two uniform numbers for the lens. The film positions of a pass lie
   // evenly in `bounds`, which enters W_e and the density of directions: a pixel's value is the mean over its filter.
-  virtual EyeStart start(const FilmPosition& film, const float lens[2], const SampleBounds& bounds) const = 0;
+  virtual EyeStart start(const FilmPosition& film, const float lens[2], const PixelRect& bounds) const = 0;
   // Chooses z0 for t = 1; false where x is not in the picture.
-  virtual bool sample_toward(const Vec3& x, const float lens[2], const SampleBounds& bounds, SensorPoint& z0) const = 0;
+  virtual bool sample_toward(const Vec3& x, const float lens[2], const PixelRect& bounds, SensorPoint& z0) const = 0;
   // t = 0: whether the segment from origin along the unit direction, up to tmax, passes through the sensor.
-  virtual bool hit(const Vec3& origin, const Vec3& direction, float tmax, const SampleBounds& bounds,
+  virtual bool hit(const Vec3& origin, const Vec3& direction, float tmax, const PixelRect& bounds,
                    SensorPoint& z0) const = 0;
 };
 

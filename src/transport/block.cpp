@@ -11,7 +11,7 @@ constexpr size_t kConnectionsInFlight = 1024;
 
 }  // namespace
 
-void Block::run(uint64_t pass, const BlockRect& rect, const LightPool* pool) {
+void Block::run(uint64_t pass, const PixelRect& rect, const LightPool* pool) {
   pool_ = pool;
   seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
   if (engine_.plan.run) {
@@ -53,7 +53,7 @@ void Block::start(size_t eyes, size_t lights) {
   rays_.clear();
 }
 
-void Block::choose_samples(uint64_t pass, uint64_t passes, const BlockRect& rect) {
+void Block::choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect) {
   const SampleRates& rates = engine_.rates;
   const bool one_each = !rates.are_set() || pass >= kPilotPass;
   const int groups = engine_.film.desc().groups;
@@ -73,10 +73,10 @@ void Block::choose_samples(uint64_t pass, uint64_t passes, const BlockRect& rect
   }
 }
 
-void Block::start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect) {
+void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) {
   StageTimer timer(stats_.start);
   choose_samples(pass, passes, rect);
-  const SampleBounds& bounds = engine_.bounds;
+  const PixelRect& bounds = engine_.bounds;
   strategy_ = &engine_.strategy_at({float(rect.x0), float(rect.y0)});
   // Within the pixel, whatever the rounding: x + u may come out as x + 1.
   const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };

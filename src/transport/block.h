@@ -18,11 +18,6 @@
 
 namespace bdpt {
 
-// The pixels of a block, within Engine::bounds.
-struct BlockRect {
-  int x0, y0, x1, y1;
-};
-
 // Subpaths of one side.
 template <class Start>
 struct Subpaths {
@@ -59,7 +54,7 @@ class Block {
  public:
   explicit Block(const Engine& engine) : engine_(engine), strategy_(&engine.strategy), max_edges_(engine.max_edges()) {}
   // The samples of some pixels, from the first vertex into the film. With a pool, eye subpaths alone.
-  void run(uint64_t pass, const BlockRect& rect, const LightPool* pool = nullptr);
+  void run(uint64_t pass, const PixelRect& rect, const LightPool* pool = nullptr);
   // The light subpaths [first, first + count) of a pass, kept for a pool; those ends of theirs that need no eye subpath
   // go into the film; those of a pilot's pass are kept.
   void run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpaths& kept);
@@ -112,13 +107,13 @@ class Block {
   // returned, and stand until the next call.
   //
   // One sample of each pixel of a pass, paths of at most max_edges.
-  const std::vector<Contribution>& sample_pixels(uint64_t pass, const BlockRect& rect, uint32_t max_edges);
+  const std::vector<Contribution>& sample_pixels(uint64_t pass, const PixelRect& rect, uint32_t max_edges);
   // Samples all over the film.
   const std::vector<Contribution>& sample_film(const std::vector<StreamPair>& streams);
   // A pilot's: so many of its passes at once, in this order: pass, row, column.
-  const std::vector<Contribution>& sample_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool);
+  const std::vector<Contribution>& sample_pilot(uint32_t passes, const PixelRect& rect, const LightPool* pool);
   // The same in parts: all but the inner connections, and those, by any plan and any number of times.
-  const std::vector<Contribution>& sample_pilot_ends(uint32_t passes, const BlockRect& rect);
+  const std::vector<Contribution>& sample_pilot_ends(uint32_t passes, const PixelRect& rect);
   const std::vector<Contribution>& join_pilot(const Plan& plan);
   // What chains propose, each with its own technique alone: at most one contribution of each.
   const std::vector<Contribution>& sample_chains(std::vector<Chain>& chains);
@@ -169,12 +164,16 @@ class Block {
     return engine_.draw((eye ? eye_.streams : light_.streams)[subpath], vertex, purpose);
   }
   void start(size_t eyes, size_t lights);
-  void choose_samples(uint64_t pass, uint64_t passes, const BlockRect& rect);
-  void start_pixels(uint64_t pass, uint64_t passes, const BlockRect& rect);
+  void choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect);
+  void start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect);
   void start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most);
   void start_light(uint32_t light, uint32_t most);
   FilmPosition spread(const Four& u) const;
+  // The contributions of some work, kept instead of added to the film.
+  template <class Work>
+  const std::vector<Contribution>& keep(Work&& work);
   const std::vector<Contribution>& measure();
+  void start_pilot(uint32_t passes, const PixelRect& rect, const LightPool* pool);
   // Else subpaths leave nothing behind but their front end.
   bool keeps_vertices() const { return !engine_.running_sums || strategy_->joins_inner(); }
   void join_inner(const Plan& plan);

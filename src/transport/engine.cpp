@@ -77,7 +77,7 @@ float Engine::share(const Plan& p) const {
   uint64_t pixels = 0;
   for (int row = 0; row < map->tiles.rows(); ++row)
     for (int column = 0; column < map->tiles.columns(); ++column) {
-      const SampleBounds tile = map->tiles.pixels(column, row);
+      const PixelRect tile = map->tiles.pixels(column, row);
       if (map->at({float(tile.x0), float(tile.y0)}).plan == &p) pixels += tile.count();
     }
   return float(double(pixels) / double(bounds.count()));

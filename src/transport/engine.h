@@ -33,7 +33,7 @@ struct Engine {
   Film& film;
   TransportOptions options;
   DirectLighting direct_lighting;
-  SampleBounds bounds;
+  PixelRect bounds;  // the pixels whose eye subpaths are traced
   uint64_t seed;
 
   // What follows from the options.

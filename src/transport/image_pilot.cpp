@@ -47,20 +47,15 @@ void ImagePilot::fill_pool(Block& block, uint32_t task) {
 
 void ImagePilot::run_row(Block& block, uint32_t row) {
   for (int column = 0; column < grid_.columns(); ++column) {
-    const RegionGrid::Rect r = grid_.rect(column, int(row));
-    const int w = std::min(kSide, r.x1 - r.x0), h = std::min(kSide, r.y1 - r.y0);
-    for (uint32_t i = 0; i < squares_; ++i) {
-      const uint64_t place = hash_values(engine_.seed, 7, row, column, i);
-      const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
-      const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
-      measure_square(block, {x, y, x + w, y + h}, row,
+    const PixelRect r = grid_.rect(column, int(row));
+    for (uint32_t i = 0; i < squares_; ++i)
+      measure_square(block, square_within(r, kSide, hash_values(engine_.seed, 7, row, column, i)), row,
                      regions_[size_t(row) * size_t(grid_.columns()) + size_t(column)]);
-    }
   }
 }
 
 // Adds a square's share: the mean of its pixels, and the mean variance within one.
-void ImagePilot::measure_square(Block& block, const BlockRect& square, uint32_t row, RegionMeasure& region) {
+void ImagePilot::measure_square(Block& block, const PixelRect& square, uint32_t row, RegionMeasure& region) {
   const size_t pixels = size_t(square.x1 - square.x0) * size_t(square.y1 - square.y0);
   const uint64_t before = block.stats().rays();
   std::vector<Rgb> samples(passes_ * pixels);
@@ -89,7 +84,7 @@ std::vector<RegionMeasure> ImagePilot::measures() const {
   uint64_t pixels = 0;
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {
-      const RegionGrid::Rect r = grid_.rect(column, row);
+      const PixelRect r = grid_.rect(column, row);
       pixels += uint64_t(std::min(kSide, r.x1 - r.x0)) * uint64_t(std::min(kSide, r.y1 - r.y0));
     }
   // The light subpaths of a pass for one of the pilot's; none where the plan wants none.
@@ -98,7 +93,7 @@ std::vector<RegionMeasure> ImagePilot::measures() const {
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {
       const size_t i = size_t(row) * size_t(grid_.columns()) + size_t(column);
-      const RegionGrid::Rect r = grid_.rect(column, row);
+      const PixelRect r = grid_.rect(column, row);
       const double scale =
           traced > 0 ? double(engine_.light_per_pass()) / traced / (double(r.x1 - r.x0) * (r.y1 - r.y0)) : 0;
       for (const std::vector<RegionMeasure>& task : light_) {

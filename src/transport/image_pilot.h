@@ -27,7 +27,7 @@ class ImagePilot {
   const std::vector<RegionMeasure>& eye_measures() const { return regions_; }
 
  private:
-  void measure_square(Block& block, const BlockRect& square, uint32_t row, RegionMeasure& region);
+  void measure_square(Block& block, const PixelRect& square, uint32_t row, RegionMeasure& region);
 
   const Engine& engine_;
   RegionGrid grid_;

@@ -9,7 +9,7 @@ namespace bdpt {
 
 // A film position for two numbers in [0,1).
 FilmPosition Block::spread(const Four& u) const {
-  const SampleBounds& b = engine_.bounds;
+  const PixelRect& b = engine_.bounds;
   const auto within = [](int begin, int end, float v) {
     return std::min(float(begin) + v * float(end - begin),
                     std::nextafter(float(end), -std::numeric_limits<float>::infinity()));
@@ -17,16 +17,23 @@ FilmPosition Block::spread(const Four& u) const {
   return {within(b.x0, b.x1, u[0]), within(b.y0, b.y1, u[1])};
 }
 
-const std::vector<Contribution>& Block::measure() {
+template <class Work>
+const std::vector<Contribution>& Block::keep(Work&& work) {
   keeps_ = true;
   kept_.clear();
-  extend();
-  join_inner(*strategy_->plan);
+  work();
   keeps_ = false;
   return kept_;
 }
 
-const std::vector<Contribution>& Block::sample_pixels(uint64_t pass, const BlockRect& rect, uint32_t max_edges) {
+const std::vector<Contribution>& Block::measure() {
+  return keep([&] {
+    extend();
+    join_inner(*strategy_->plan);
+  });
+}
+
+const std::vector<Contribution>& Block::sample_pixels(uint64_t pass, const PixelRect& rect, uint32_t max_edges) {
   max_edges_ = std::min(max_edges, engine_.max_edges());
   start_pixels(pass, 1, rect);
   measure();
@@ -34,29 +41,24 @@ const std::vector<Contribution>& Block::sample_pixels(uint64_t pass, const Block
   return kept_;
 }
 
-const std::vector<Contribution>& Block::sample_pilot(uint32_t passes, const BlockRect& rect, const LightPool* pool) {
+void Block::start_pilot(uint32_t passes, const PixelRect& rect, const LightPool* pool) {
   pool_ = pool;
   seed_ = hash_values(engine_.seed, 5, kPilotPass, rect.x0, rect.y0);
   start_pixels(kPilotPass, passes, rect);
+}
+
+const std::vector<Contribution>& Block::sample_pilot(uint32_t passes, const PixelRect& rect, const LightPool* pool) {
+  start_pilot(passes, rect, pool);
   return measure();
 }
 
-const std::vector<Contribution>& Block::sample_pilot_ends(uint32_t passes, const BlockRect& rect) {
-  seed_ = hash_values(engine_.seed, 5, kPilotPass, rect.x0, rect.y0);
-  start_pixels(kPilotPass, passes, rect);
-  keeps_ = true;
-  kept_.clear();
-  extend();
-  keeps_ = false;
-  return kept_;
+const std::vector<Contribution>& Block::sample_pilot_ends(uint32_t passes, const PixelRect& rect) {
+  start_pilot(passes, rect, nullptr);
+  return keep([&] { extend(); });
 }
 
 const std::vector<Contribution>& Block::join_pilot(const Plan& plan) {
-  keeps_ = true;
-  kept_.clear();
-  join_inner(plan);
-  keeps_ = false;
-  return kept_;
+  return keep([&] { join_inner(plan); });
 }
 
 const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair>& streams) {

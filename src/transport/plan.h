@@ -18,7 +18,7 @@ struct Plan {
   void (*connect)(Block& block);
 
   // Does all of a block's work itself, by the samples it chooses: block.sample_... Else they are the pixels'.
-  void (*run)(Block& block, uint64_t pass, const BlockRect& rect) = nullptr;
+  void (*run)(Block& block, uint64_t pass, const PixelRect& rect) = nullptr;
 
   bool pooled = false;          // eye vertices meet the light vertices of the whole pass: needs a LightPool
   int default_connections = 0;  // light vertices met by an eye vertex, where `connections` chooses them; else 0

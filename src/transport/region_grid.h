@@ -17,14 +17,18 @@ struct RegionMeasure {
   double rays = 0;      // of one sample with its light subpaths
 };
 
+// A square of some pixels a side, or what of it fits, at a place in a rectangle that 64 random bits choose.
+inline PixelRect square_within(const PixelRect& r, int side, uint64_t place) {
+  const int w = std::min(side, r.x1 - r.x0), h = std::min(side, r.y1 - r.y0);
+  const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
+  const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
+  return {x, y, x + w, y + h};
+}
+
 class RegionGrid {
  public:
-  struct Rect {
-    int x0, y0, x1, y1;
-  };
-
   RegionGrid() = default;
-  explicit RegionGrid(const SampleBounds& bounds)
+  explicit RegionGrid(const PixelRect& bounds)
       : bounds_(bounds), columns_(divide(bounds.x1 - bounds.x0)), rows_(divide(bounds.y1 - bounds.y0)) {}
 
   int columns() const { return columns_; }
@@ -38,7 +42,7 @@ class RegionGrid {
            size_t(place(film.x, bounds_.x0, bounds_.x1, columns_));
   }
   // Its pixels.
-  Rect rect(int column, int row) const {
+  PixelRect rect(int column, int row) const {
     const auto edge = [](int first, int last, int i, int n) {
       return first + int((int64_t(last - first) * i + n - 1) / n);
     };
@@ -46,7 +50,7 @@ class RegionGrid {
             edge(bounds_.x0, bounds_.x1, column + 1, columns_), edge(bounds_.y0, bounds_.y1, row + 1, rows_)};
   }
   double pixels(size_t region) const {
-    const Rect r = rect(int(region % size_t(columns_)), int(region / size_t(columns_)));
+    const PixelRect r = rect(int(region % size_t(columns_)), int(region / size_t(columns_)));
     return double(r.x1 - r.x0) * (r.y1 - r.y0);
   }
   // The geometric mean of a region and its neighbours, of those values that are above zero: few samples find few of the
@@ -69,7 +73,7 @@ class RegionGrid {
   // At most 32 a side, and at least 8 pixels each.
   static int divide(int pixels) { return std::clamp(pixels / 8, 1, 32); }
 
-  SampleBounds bounds_;
+  PixelRect bounds_;
   int columns_ = 0, rows_ = 0;
 };
 

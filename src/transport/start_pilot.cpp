@@ -85,7 +85,7 @@ class Deliveries {
     for (double b : brightness_) all += b / samples_;
     for (int row = 0; row < grid_.rows(); ++row)
       for (int column = 0; column < grid_.columns(); ++column) {
-        const RegionGrid::Rect r = grid_.rect(column, row);
+        const PixelRect r = grid_.rect(column, row);
         const size_t i = size_t(row) * size_t(grid_.columns()) + size_t(column);
         const double mean = brightness_[i] / samples_ * pixels / (double(r.x1 - r.x0) * (r.y1 - r.y0));
         result[i] = mean * mean + 0.01 * all * all;

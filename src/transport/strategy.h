@@ -27,7 +27,7 @@ class Tiles {
   static constexpr int kSide = 16;
 
   Tiles() = default;
-  explicit Tiles(const SampleBounds& bounds)
+  explicit Tiles(const PixelRect& bounds)
       : bounds_(bounds), columns_(tiles(bounds.x1 - bounds.x0)), rows_(tiles(bounds.y1 - bounds.y0)) {}
 
   int columns() const { return columns_; }
@@ -40,7 +40,7 @@ class Tiles {
     return place(film.y, bounds_.y0, bounds_.y1) * size_t(columns_) + place(film.x, bounds_.x0, bounds_.x1);
   }
   // The pixels of a tile.
-  SampleBounds pixels(int column, int row) const {
+  PixelRect pixels(int column, int row) const {
     const int x = bounds_.x0 + column * kSide, y = bounds_.y0 + row * kSide;
     return {x, y, std::min(x + kSide, bounds_.x1), std::min(y + kSide, bounds_.y1)};
   }
@@ -48,7 +48,7 @@ class Tiles {
  private:
   static int tiles(int pixels) { return (pixels + kSide - 1) / kSide; }
 
-  SampleBounds bounds_{};
+  PixelRect bounds_{};
   int columns_ = 0, rows_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include "sampling/hash.h"
 #include "transport/plan.h"
+#include "transport/region_grid.h"
 
 namespace bdpt {
 
@@ -64,14 +65,11 @@ TransportStats StrategyPilot::run(uint32_t row) {
 }
 
 void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& light) {
-  const SampleBounds r = tiles_.pixels(column, row);
+  const PixelRect r = tiles_.pixels(column, row);
   TileMeasure& tile = measures_[size_t(row) * size_t(tiles_.columns()) + size_t(column)];
   tile.pixels = double(r.count());
-  const int w = std::min(kSide, r.x1 - r.x0), h = std::min(kSide, r.y1 - r.y0);
-  const uint64_t place = hash_values(engine_.seed, 9, row, column);
-  const int x = r.x0 + int(place % uint64_t(r.x1 - r.x0 - w + 1));
-  const int y = r.y0 + int((place >> 32) % uint64_t(r.y1 - r.y0 - h + 1));
-  const size_t pixels = size_t(w) * size_t(h), samples = pixels * passes_;
+  const PixelRect square = square_within(r, kSide, hash_values(engine_.seed, 9, row, column));
+  const size_t pixels = size_t(square.count()), samples = pixels * passes_;
 
   std::vector<std::array<SampleSums, kCandidates.size()>> sums(samples);
   const auto add = [&](const Contribution& c, double SampleSums::*sum, double SampleSums::*squares, double moment) {
@@ -94,7 +92,7 @@ void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& ligh
     return direct;
   };
   const double direct_before = shadow_rays();
-  for (const Contribution& c : block.sample_pilot_ends(passes_, {x, y, x + w, y + h})) {
+  for (const Contribution& c : block.sample_pilot_ends(passes_, square)) {
     // Lights seen directly are the same to all, and so bright that a tile's mean says nothing of them.
     if (c.s + c.t == 2) continue;
     const double v = double(norm(c.value));

@@ -181,6 +181,22 @@ std::string chosen(const bdpt_render_stats& stats) {
   return words + "; n = " + std::to_string(stats.light_samples);
 }
 
+// A contest on a scene, paths of up to 6 edges; none where the scene is missing, which the report then says.
+std::vector<Contestant> hold_on(Report& report, const NamedScene& scene, std::uint32_t width,
+                                const std::vector<Variant>& variants, std::uint64_t passes, std::size_t turns) {
+  try {
+    const Stage stage = build_stage(scene.make(), width, report.setting());
+    ContestOptions options;
+    options.max_edges = 6;
+    options.passes = passes;
+    options.turns = turns;
+    return hold(stage, variants, options);
+  } catch (const SceneMissing& missing) {
+    report.note(std::string(missing.what()) + ", and is left out.");
+    return {};
+  }
+}
+
 }  // namespace
 
 void own_plans(Report& report) {
@@ -192,18 +208,9 @@ void own_plans(Report& report) {
   table.columns.push_back("best");
   std::vector<std::size_t> wins(variants.size());
   for (const NamedScene& scene : scenes_of_the_table(setting)) {
-    std::vector<Contestant> contestants;
-    try {
-      const Stage stage = build_stage(scene.make(), setting.pick(240, 48, 16), setting);
-      ContestOptions options;
-      options.max_edges = 6;
-      options.passes = setting.pick(32, 8, 1);
-      options.turns = setting.pick(12, 4, 2);
-      contestants = hold(stage, variants, options);
-    } catch (const SceneMissing& missing) {
-      report.note(std::string(missing.what()) + ", and is left out.");
-      continue;
-    }
+    const auto contestants =
+        hold_on(report, scene, setting.pick(240, 48, 16), variants, setting.pick(32, 8, 1), setting.pick(12, 4, 2));
+    if (contestants.empty()) continue;
     table.rows.push_back({std::string(scene.name)});
     double best = 1;
     std::size_t winner = 0;
@@ -237,18 +244,9 @@ void own_automatic(Report& report) {
   std::size_t reached = 0, unclear = 0;
   std::string missed;
   for (const NamedScene& scene : scenes_of_the_table(setting)) {
-    std::vector<Contestant> contestants;
-    try {
-      const Stage stage = build_stage(scene.make(), setting.pick(240, 64, 16), setting);
-      ContestOptions options;
-      options.max_edges = 6;
-      options.passes = setting.pick(32, 16, 8);
-      options.turns = setting.pick(12, 5, 2);
-      contestants = hold(stage, variants, options);
-    } catch (const SceneMissing& missing) {
-      report.note(std::string(missing.what()) + ", and is left out.");
-      continue;
-    }
+    const auto contestants =
+        hold_on(report, scene, setting.pick(240, 64, 16), variants, setting.pick(32, 16, 8), setting.pick(12, 5, 2));
+    if (contestants.empty()) continue;
     table.rows.push_back({std::string(scene.name)});
     std::size_t best = 0;
     for (std::size_t v = 1; v < variants.size(); ++v) {
@@ -296,18 +294,9 @@ void own_adaptive(Report& report) {
   }
   std::size_t better = 0, worse = 0;
   for (const NamedScene& scene : scenes) {
-    std::vector<Contestant> contestants;
-    try {
-      const Stage stage = build_stage(scene.make(), setting.pick(400, 192, 24), setting);
-      ContestOptions options;
-      options.max_edges = 6;
-      options.passes = setting.pick(32, 16, 2);
-      options.turns = setting.pick(16, 6, 2);
-      contestants = hold(stage, variants, options);
-    } catch (const SceneMissing& missing) {
-      report.note(std::string(missing.what()) + ", and is left out.");
-      continue;
-    }
+    const auto contestants =
+        hold_on(report, scene, setting.pick(400, 192, 24), variants, setting.pick(32, 16, 2), setting.pick(16, 6, 2));
+    if (contestants.empty()) continue;
     table.rows.push_back({std::string(scene.name)});
     for (std::size_t v = 0; v < variants.size(); v += 2) {
       const Checkpoint &uniform = contestants[v].end(), &adaptive = contestants[v + 1].end();
@@ -350,18 +339,9 @@ void own_light_start(Report& report) {
     for (const char* what : {": efficiency", ": at the same samples"}) table.columns.push_back(variants[v].name + what);
   std::size_t better = 0, worse = 0;
   for (const NamedScene& scene : scenes) {
-    std::vector<Contestant> contestants;
-    try {
-      const Stage stage = build_stage(scene.make(), setting.pick(320, 96, 16), setting);
-      ContestOptions options;
-      options.max_edges = 6;
-      options.passes = setting.pick(64, 32, 8);
-      options.turns = setting.pick(16, 6, 2);
-      contestants = hold(stage, variants, options);
-    } catch (const SceneMissing& missing) {
-      report.note(std::string(missing.what()) + ", and is left out.");
-      continue;
-    }
+    const auto contestants =
+        hold_on(report, scene, setting.pick(320, 96, 16), variants, setting.pick(64, 32, 8), setting.pick(16, 6, 2));
+    if (contestants.empty()) continue;
     table.rows.push_back({std::string(scene.name)});
     for (std::size_t v = 0; v < contestants.size(); v += 2) {
       const Checkpoint &power = contestants[v].end(), &importance = contestants[v + 1].end();

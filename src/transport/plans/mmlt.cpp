@@ -121,7 +121,7 @@ void run_chains(Block& block, std::vector<Chain>& chains, uint32_t mutations, do
   block.stats().mutations += uint64_t(chains.size()) * mutations;
 }
 
-void run(Block& block, uint64_t pass, const BlockRect& rect) {
+void run(Block& block, uint64_t pass, const PixelRect& rect) {
   const Engine& engine = block.engine();
   const uint64_t passes = engine.pool_passes;
   for (uint64_t p = pass; p < pass + passes; ++p)
