@@ -4,7 +4,7 @@
  *
  * How it goes together
  *   context ─▶ builder ─▶ scene ─┐
- *                     camera ────┼─▶ render ─▶ advance, advance, ... ─▶ film ─▶ read, save, write
+ *                     sensor ────┼─▶ render ─▶ advance, advance, ... ─▶ film ─▶ read, save, write
  *                       film ────┘
  *   A builder collects shapes, textures, materials, lights and instances and builds an immutable scene. A sensor says
  *   what is measured, a film holds the measurements, a render joins the three and samples them, pass by pass. One pass
@@ -354,7 +354,7 @@ typedef struct bdpt_material_desc {
   float roughness[2];                  /* GGX alpha along u and v, [0,1]; both 0 = smooth; one 0 is an error */
   float emission[3];                   /* radiance emitted by the front [W/(m² sr)], >= 0: an instance is a light */
   uint32_t emission_two_sided;         /* 1: the back emits too */
-  uint32_t reserved;
+  uint32_t emission_group;             /* the light's group, [0,63]; see bdpt_light_desc */
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.
@@ -388,6 +388,8 @@ typedef struct bdpt_light_desc {
   float cone_angle;       /* spot: from axis to the dark, (0,180) degrees */
   float cone_falloff;     /* spot: width of the edge inside it, [0, cone_angle] degrees: the intensity is
                              t²(3 - 2t) with t = (cos θ - cos a) / (cos(a - f) - cos a) */
+  uint32_t group;         /* a number of your own, [0,63]: outputs of sensors may ask for some groups' light alone */
+  uint32_t reserved;
 } bdpt_light_desc;
 
 /* Adds a light.
@@ -486,6 +488,123 @@ typedef struct bdpt_camera_desc {
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_camera_create(bdpt_context *context, const bdpt_camera_desc *desc, bdpt_sensor **sensor);
+/* --- Sensors that are no cameras: what arrives at surfaces and points ---
+ * A measurement is a texel or a point; it has one or more outputs, all sampled at once; an output is one or more planes
+ * of the film, of three colours each. Every plan but mmlt and automatic measures them, t = 0 on surfaces included.
+ * Directions are world directions, away from the point measured; n is the normal of the side that receives. */
+
+typedef int32_t bdpt_output_kind;
+#define BDPT_OUTPUT_IRRADIANCE 0         /* 1 plane: E = INT L max(0, w·n) dw [W/m²] */
+#define BDPT_OUTPUT_IRRADIANCE_OVER_PI 1 /* 1 plane: E / pi, what a diffuse surface of albedo 1 would emit */
+#define BDPT_OUTPUT_RADIANCE_SH1 2       /* 4 planes: c_lm = INT L Y_lm(w) dw for l <= 1, over the hemisphere of n (all
+                                            directions, for points without normal) */
+#define BDPT_OUTPUT_RADIANCE_SH2 3       /* 9 planes: l <= 2 */
+#define BDPT_OUTPUT_IRRADIANCE_SH1 4     /* 4 planes: c_lm times pi, 2 pi / 3 for l = 0, 1: the irradiance of a surface
+                                            with normal m is about SUM of these times Y_lm(m) */
+#define BDPT_OUTPUT_IRRADIANCE_SH2 5     /* 9 planes: and times pi / 4 for l = 2 */
+#define BDPT_OUTPUT_FLUENCE 6            /* 1 plane: INT L dw [W/m²] */
+/* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
+ * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
+ * 0.546274 (x² - y²). */
+
+typedef int32_t bdpt_light_paths;
+#define BDPT_LIGHT_PATHS_ALL 0
+#define BDPT_LIGHT_PATHS_DIRECT 1   /* light that comes straight from where it is emitted */
+#define BDPT_LIGHT_PATHS_INDIRECT 2 /* all other */
+
+typedef struct bdpt_output_desc {
+  uint32_t struct_size;
+  bdpt_output_kind kind;
+  bdpt_light_paths paths;
+  uint32_t reserved;
+  uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
+} bdpt_output_desc;
+
+/* An instance and its place in an atlas. */
+typedef struct bdpt_lightmap_instance {
+  uint32_t struct_size;
+  uint32_t atlas;            /* below atlas_count */
+  bdpt_instance_id instance; /* of the builder that built the scene; a mesh that has the uv set */
+  uint32_t uv_set;           /* 0 = set 1; 1 = set 0 */
+  uint32_t flip;             /* 1: the back receives, not the front */
+  float scale[2], offset[2]; /* uv of the atlas = uv * scale + offset; scale (0,0) = (1,1). [0,1]² is the atlas, v = 1
+                                its top row */
+} bdpt_lightmap_instance;
+
+typedef struct bdpt_lightmap_desc {
+  uint32_t struct_size;
+  uint32_t width, height;    /* texels of an atlas, 1 to 65536 */
+  uint32_t atlas_count;      /* 0 = 1; the film has atlas a in rows a * height to (a + 1) * height, at most 65536 rows */
+  uint32_t instance_count;   /* at least 1; each instance once */
+  uint32_t instance_stride;  /* bytes from one to the next; 0 = sizeof(bdpt_lightmap_instance) */
+  const bdpt_lightmap_instance *instances;
+  uint32_t output_count;     /* 0 = irradiance alone */
+  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  const bdpt_output_desc *outputs;
+  uint32_t rect[4];          /* x0, y0, x1, y1 in the film: only these texels are baked; four zeros = all. A plan without
+                                light subpaths gives them the bits of the whole bake; with light subpaths, of which a
+                                pass has one for each texel, the same measurements but other noise */
+  uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
+  uint32_t reserved;
+} bdpt_lightmap_desc;
+
+/* Creates a lightmap. A texel measures the mean over all of the surface that it covers, by area: E_j = 1/A_j INT E dA, so
+ * that the sum of A_j E_j (with geometric normals) is the light that falls on the surface, to the last ray. Where several
+ * surfaces share a texel the mean is over all of them. Triangles without area in the atlas, and what lies outside of it,
+ * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel covered),
+ * _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
+ * Source: Veach (1997), 10.6; the measurement functions are those of docs/baking.md. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_create(bdpt_scene *scene, const bdpt_lightmap_desc *desc, bdpt_sensor **sensor);
+
+typedef struct bdpt_lightmap_info {
+  uint32_t struct_size;
+  uint32_t width, height;      /* of the film: of all atlases together */
+  uint32_t reserved;
+  uint64_t texels;             /* that cover some surface: samples of a pass */
+  uint64_t texels_shared;      /* of these, by more than one instance */
+  uint64_t triangles_unmapped; /* without area in the atlas */
+  uint64_t triangles_outside;  /* that reach out of the atlas */
+  double area;                 /* of the surface measured, in the world */
+  double area_outside;         /* of what lies outside of the atlas */
+} bdpt_lightmap_info;
+
+/* Tells what a lightmap covers.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind). Threads: any thread. Callbacks: allowed.
+ * Ownership: copies into *info. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_get_info(const bdpt_sensor *sensor, bdpt_lightmap_info *info);
+
+/* Reads, for each texel in rows, the part of it that its surfaces cover, by area in the atlas (above 1 where they overlap;
+ * 0 where nothing is measured), and the area of these surfaces in the world. Either may be NULL; capacity, in floats, is
+ * that of each.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sensor, float *coverage, float *area, uint64_t capacity);
+
+typedef struct bdpt_point {
+  float position[3];
+  float normal[3]; /* of any length: light from its side counts; zero: light from everywhere does */
+  float radius;    /* with a normal: the mean over a disk of this radius across it; 0 = the point itself */
+  uint32_t reserved;
+} bdpt_point;
+
+typedef struct bdpt_points_desc {
+  uint32_t struct_size;
+  uint32_t output_count;     /* 0 = irradiance if the first point has a normal, else fluence */
+  uint64_t count;            /* of points, [1, 2^32) */
+  uint64_t point_stride;     /* bytes; 0 = sizeof(bdpt_point) */
+  const bdpt_point *points;
+  const bdpt_output_desc *outputs; /* irradiance of points without normal is an error */
+  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  uint32_t reserved;
+} bdpt_points_desc;
+
+/* Creates a sensor of points in space. The film has them in rows, in order: a packed read of it begins with the points,
+ * one after another. Light subpaths do not hit points or disks by chance: t = 0 is left out.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: copies; the caller gets one reference. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const bdpt_points_desc *desc, bdpt_sensor **sensor);
+
 /* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
 BDPT_API void bdpt_sensor_retain(bdpt_sensor *sensor);
 /* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
@@ -517,7 +636,8 @@ typedef struct bdpt_film_desc {
   float filter_b;          /* Mitchell: C */
   bdpt_normalization normalization;
   uint32_t groups;         /* independent groups of passes, pass p belongs to group p mod groups: [1,16]; 0 = 2. The
-                              estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more */
+                              estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more; 48
+                              for each plane of a sensor that is no camera */
   uint32_t pyramid_edges;  /* keep an image of each technique (s,t) of paths of up to so many edges: [0,15];
                               96 bytes per pixel and technique, of which k edges have k + 2. 0 = none */
 } bdpt_film_desc;
@@ -546,8 +666,12 @@ typedef struct bdpt_film_info {
   uint64_t scene_hash;     /* 0 while empty */
   uint64_t options_hash;   /* of sensor, film and render options; 0 while empty */
   uint64_t rejected;       /* contributions that were not finite or too large for the film, and were left out */
-  double relative_error;   /* square root of the relative variance, averaged over the pixels: var / (mean² + 0.01 M²)
-                              with M the mean of the image; -1 while unknown (fewer than two groups hold passes) */
+  double relative_error;   /* square root of the relative variance, averaged over the measurements of plane 0:
+                              var / (mean² + 0.01 M²) with M the mean of the image; -1 while unknown (fewer than two
+                              groups hold passes) */
+  uint64_t measured;       /* measurements: pixels, or texels that cover some surface */
+  uint32_t planes;         /* of three colours; 1 for a camera */
+  uint32_t reserved;
 } bdpt_film_info;
 
 /* Tells what a film holds.
@@ -572,6 +696,8 @@ typedef struct bdpt_read_desc {
   uint32_t flip;             /* 1: the bottom row first */
   uint32_t include_partial;  /* 1: with the blocks of a pass that a cancel interrupted, each weighed as if the pass were
                                 whole; 0: whole passes only */
+  uint32_t plane;            /* of the sensor's outputs, one after another; of a camera, 0 */
+  uint32_t reserved;
 } bdpt_read_desc;
 
 /* Reads a layer as 32-bit floats, 3 to a pixel. An empty film reads as zero.

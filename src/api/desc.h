@@ -37,6 +37,11 @@ BDPT_VERSION_1_SIZE(bdpt_instance_desc, 80);
 BDPT_VERSION_1_SIZE(bdpt_build_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_scene_info, 88);
 BDPT_VERSION_1_SIZE(bdpt_camera_desc, 104);
+BDPT_VERSION_1_SIZE(bdpt_output_desc, 24);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_instance, 40);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_desc, 72);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_info, 64);
+BDPT_VERSION_1_SIZE(bdpt_points_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_film_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_film_info, 96);
 BDPT_VERSION_1_SIZE(bdpt_read_desc, 48);
@@ -52,8 +57,8 @@ BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
 
 // The library writes these; version 1 is the only one so far.
 static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
-// Arrays and parts of other structs carry no size of their own: these two can never change.
-static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16);
+// Arrays and parts of other structs carry no size of their own: these can never change.
+static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32);
 
 // No struct will be longer. A larger number is memory that was never set, and how far to read is unknown.
 inline constexpr uint32_t kMaxStructSize = 4096;

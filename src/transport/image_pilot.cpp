@@ -60,7 +60,7 @@ void ImagePilot::measure_square(Block& block, const PixelRect& square, uint32_t 
   const uint64_t before = block.stats().rays();
   std::vector<Rgb> samples(passes_ * pixels);
   for (const Contribution& c : block.sample_pilot(passes_, square, engine_.plan.pooled ? &pool_ : nullptr)) {
-    if (c.t >= 2)
+    if (engine_.belongs_to_eye(c.t))
       samples[c.sample] += c.value;
     else
       add_light(grid_, c, light_[pool_tasks() + row]);

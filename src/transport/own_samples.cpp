@@ -69,7 +69,8 @@ const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair
     for (uint32_t i = 0; i < streams.size(); ++i) {
       eye_.streams[i] = streams[i].eye;
       const Four u = draw(true, i, 0, Purpose::Start);
-      start_eye(i, spread(u), u.u + 2, engine_.max_eye);
+      eye_.starts[i] = engine_.sensor.start(spread(u), u.u + 2, engine_.bounds);
+      start_eye(i, engine_.max_eye);
       if (!lights) continue;
       light_.streams[i] = streams[i].light;
       start_light(i, engine_.max_light);
@@ -89,7 +90,8 @@ const std::vector<Contribution>& Block::sample_chains(std::vector<Chain>& chains
       // With t = 1 and s = 1 the other side takes a fresh vertex to this one's subpath.
       if (technique.t >= 2) {
         const Four u = draw(true, i, 0, Purpose::Start);
-        start_eye(i, spread(u), u.u + 2, technique.t);
+        eye_.starts[i] = engine_.sensor.start(spread(u), u.u + 2, engine_.bounds);
+        start_eye(i, technique.t);
       }
       if (technique.s >= 2 || technique.t == 1) start_light(i, technique.s);
     }
