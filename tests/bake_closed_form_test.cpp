@@ -24,10 +24,16 @@ void expect_within(const Estimate& e, double value, double relative, const std::
   EXPECT_LT(e.standard_error(), relative * value) << what;
 }
 
+// Direct light alone. Seeds are independent, whatever the points of one seed are.
+Way way_of_direct(const char* name, const std::function<bool(int, int)>& allows) {
+  TransportOptions options = options_for(mask_of(allows), 1);
+  options.sampler = SamplerType::Sobol;
+  return {name, options};
+}
 std::vector<Way> ways_of_direct() {
-  return {{"s = 0", options_for(mask_of([](int s, int) { return s == 0; }), 1)},
-          {"s = 1", options_for(mask_of([](int s, int) { return s == 1; }), 1)},
-          {"all", options_for({}, 1)}};
+  return {way_of_direct("s = 0", [](int s, int) { return s == 0; }),
+          way_of_direct("s = 1", [](int s, int) { return s == 1; }),
+          way_of_direct("all", [](int, int) { return true; })};
 }
 
 // Form factor of a rectangle parallel to a point's plane, its corner above the point.
@@ -46,8 +52,8 @@ TEST(BakeClosedForm, FormFactorsOfARectangleAndADisk) {
     for (double z : {0.2, 0.4}) factor += corner_form_factor(x, z, 0.6);
   Builder disk;
   disk.add(scenes::disk(Vec3(0, 0.6f, 0), Vec3(0, -1, 0), 0.4f, 256), scenes::emitter(Rgb(3)));
-  const SensorPointer point =
-      points({{Vec3(0), Vec3(0, 1, 0)}}, {OutputDesc{OutputKind::Irradiance}, OutputDesc{OutputKind::IrradianceOverPi}});
+  const SensorPointer point = points({{Vec3(0), Vec3(0, 1, 0)}},
+                                     {OutputDesc{OutputKind::Irradiance}, OutputDesc{OutputKind::IrradianceOverPi}});
   for (const Way& way : ways_of_direct()) {
     const uint64_t passes = way.name == "s = 0" ? 8192 : 1024;
     expect_within(value_of(rectangle.build(), point, way.options, 0, 32, passes), 3 * M_PI * factor, 2e-3,
@@ -64,8 +70,8 @@ TEST(BakeClosedForm, SphericalHarmonicsOfAUniformSky) {
   Builder b;
   b.environment(Rgb(2));
   const ScenePointer scene = b.build();
-  const std::vector<OutputDesc> outputs = {
-      OutputDesc{OutputKind::RadianceSh2}, OutputDesc{OutputKind::IrradianceSh2}, OutputDesc{OutputKind::Fluence}};
+  const std::vector<OutputDesc> outputs = {OutputDesc{OutputKind::RadianceSh2}, OutputDesc{OutputKind::IrradianceSh2},
+                                           OutputDesc{OutputKind::Fluence}};
   const SensorPointer free = points({{Vec3(0)}}, outputs), held = points({{Vec3(0), Vec3(0, 1, 0)}}, outputs);
   double half[9] = {};  // INT Y_lm over the hemisphere, by its midpoints
   constexpr int n = 1000;
@@ -82,7 +88,7 @@ TEST(BakeClosedForm, SphericalHarmonicsOfAUniformSky) {
       const double whole = k == 0 ? 2 * 4 * M_PI * 0.28209479 : 0;
       const std::string what = "plane " + std::to_string(k) + " by " + way.name;
       const auto expect = [&](const SensorPointer& sensor, int plane, double value) {
-        const Estimate e = value_of(scene, sensor, way.options, plane, 32, 256);
+        const Estimate e = value_of(scene, sensor, way.options, plane, 32, 1024);
         expect_value(e, value, 128, what, 2e-5);
         EXPECT_LT(e.standard_error(), 0.02 * 2 * band) << what;
       };
@@ -91,8 +97,8 @@ TEST(BakeClosedForm, SphericalHarmonicsOfAUniformSky) {
       expect(held, k, 2 * half[k]);
       expect(held, 9 + k, 2 * half[k] * band);
     }
-    expect_within(value_of(scene, free, way.options, 18, 32, 256), 8 * M_PI, 2e-3, "fluence by " + way.name);
-    expect_within(value_of(scene, held, way.options, 18, 32, 256), 4 * M_PI, 2e-3, "half fluence by " + way.name);
+    expect_within(value_of(scene, free, way.options, 18, 32, 1024), 8 * M_PI, 2e-3, "fluence by " + way.name);
+    expect_within(value_of(scene, held, way.options, 18, 32, 1024), 4 * M_PI, 2e-3, "half fluence by " + way.name);
   }
 }
 
@@ -123,8 +129,8 @@ scenes::MeshData turned_floor() {
 
 TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
   const Material lamp = scenes::emitter(Rgb(3));
-  const scenes::MeshData lamp_mesh = scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f),
-                                                  Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f));
+  const scenes::MeshData lamp_mesh =
+      scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f));
   // The flux from the lamp to the floor: E integrated over the floor by the closed form.
   double flux = 0;
   constexpr int n = 400;
@@ -135,7 +141,8 @@ TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
       for (const double side : {-1.0, 1.0})
         for (const double end : {-1.0, 1.0}) {
           const double a = (side < 0 ? -0.3 : 0.5) - x, b = (end < 0 ? -0.2 : 0.4) - z;
-          factor += side * end * (a < 0 ? -1 : 1) * (b < 0 ? -1 : 1) * corner_form_factor(std::fabs(a), std::fabs(b), 0.6);
+          factor +=
+              side * end * (a < 0 ? -1 : 1) * (b < 0 ? -1 : 1) * corner_form_factor(std::fabs(a), std::fabs(b), 0.6);
         }
       flux += 3 * M_PI * factor * 4 / (double(n) * n);
     }
@@ -146,17 +153,15 @@ TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
     const ScenePointer scene = b.build();
     const auto sensor = lightmap(scene, 24);
     EXPECT_NEAR(sensor->texels().report().area, 4, 1e-5);
-    for (const Way& way : {Way{"t = 0", options_for(mask_of([](int, int t) { return t == 0; }), 1)},
-                           Way{"s = 1", options_for(mask_of([](int s, int) { return s == 1; }), 1)},
-                           Way{"all", options_for({}, 1)}}) {
+    for (const Way& way :
+         {Way{"t = 0", options_for(mask_of([](int, int t) { return t == 0; }), 1)},
+          Way{"s = 1", options_for(mask_of([](int s, int) { return s == 1; }), 1)}, Way{"all", options_for({}, 1)}}) {
       Estimate e;
       for (int seed = 0; seed < 24; ++seed) {
-        const std::vector<float> map =
-            read(*render(scene, sensor, way.options, way.name == "t = 0" ? 64 : 16, uint64_t(seed)).film);
+        const std::vector<float> map = read(*render(scene, sensor, way.options, 160, uint64_t(seed)).film);
         double sum = 0;
         for (int y = 0; y < 24; ++y)
-          for (int x = 0; x < 24; ++x)
-            sum += double(sensor->texels().area(x, y)) * double(map[3 * size_t(y * 24 + x)]);
+          for (int x = 0; x < 24; ++x) sum += double(sensor->texels().area(x, y)) * double(map[3 * size_t(y * 24 + x)]);
         e.add(sum);
       }
       expect_value(e, flux, 6, way.name, 2e-5 * flux);

@@ -215,9 +215,10 @@ class Builder {
     l.cos_inner = float(std::cos(inner * M_PI / 180));
     return *this;
   }
-  Builder& environment(const Rgb& radiance) {
+  Builder& environment(const Rgb& radiance, uint32_t group = 0) {
     LightDesc l;
     l.type = LightType::Environment;
+    l.group = group;
     l.radiance = radiance;
     desc_.lights.push_back(l);
     return *this;

@@ -27,6 +27,7 @@ class Lightmap final : public Sensor {
   bool is_surface() const override { return true; }
   int64_t number(int x, int y) const override { return texels_.number(x, y); }
   uint64_t count() const override { return texels_.report().texels; }
+  void find(uint64_t number, int& x, int& y) const override { texels_.find(number, x, y); }
   const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
   bool responds() const override { return responds_; }
 

@@ -62,7 +62,7 @@ TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& inst
                    const PixelRect& subset, const std::shared_ptr<MemoryMeter>& meter)
     : scene_(scene), instances_(instances), size_(size), by_instance_(scene.instance_count(), -1) {
   const size_t texels = size_t(width()) * size_t(height());
-  constexpr size_t kBytes = sizeof(uint64_t) + 2 * sizeof(float) + sizeof(int64_t);
+  constexpr size_t kBytes = sizeof(uint64_t) + 4 * sizeof(uint32_t);
   booking_ = Booking(meter, texels * kBytes, "the lightmap's texels");
   first_.assign(texels + 1, 0);
   areas_.assign(texels, 0);
@@ -127,7 +127,8 @@ TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& inst
     areas_[i] = float(sums[i]);
     coverage_[i] = float(covered[i]);
     if (!(areas_[i] > 0)) continue;
-    numbers_[i] = int64_t(report_.texels++);
+    numbers_[i] = int32_t(report_.texels++);
+    covered_.push_back(uint32_t(i));
     report_.area += sums[i];
     report_.shared += fragments_[first_[i]].placed != fragments_[first_[i + 1] - 1].placed;
   }

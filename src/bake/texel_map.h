@@ -57,6 +57,9 @@ class TexelMap {
   float coverage(int x, int y) const { return coverage_[texel(x, y)]; }
   // The number of a texel among those that cover some surface; -1 for others.
   int64_t number(int x, int y) const { return numbers_[texel(x, y)]; }
+  void find(uint64_t number, int& x, int& y) const {
+    x = int(covered_[number] % uint32_t(size_.width)), y = int(covered_[number] / uint32_t(size_.width));
+  }
   // A point of what texel (x, y) covers, uniform by area.
   Point sample(int x, int y, double u0, float u1) const;
   // The texel in which a point of the surface lies; false where none does.
@@ -79,7 +82,8 @@ class TexelMap {
   std::vector<uint64_t> first_;  // fragment of each texel, and one more
   std::vector<Fragment> fragments_;
   std::vector<float> areas_, coverage_;
-  std::vector<int64_t> numbers_;
+  std::vector<int32_t> numbers_;
+  std::vector<uint32_t> covered_;  // texels by their numbers
   Report report_;
   Booking booking_;
 };

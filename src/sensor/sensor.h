@@ -109,6 +109,10 @@ class Sensor {
   // Measurements that are no pixels need not fill the film. The number of those before this one; -1 for none here.
   virtual int64_t number(int x, int y) const { return int64_t(y) * width() + x; }
   virtual uint64_t count() const { return uint64_t(width()) * uint64_t(height()); }
+  // The place of measurement `number`, below count().
+  virtual void find(uint64_t number, int& x, int& y) const {
+    x = int(number % uint64_t(width())), y = int(number / uint64_t(width()));
+  }
   // Starts an eye subpath of one of them with four uniform numbers: place 2, direction 2.
   virtual EyeStart start_at(int, int, const float[4]) const { return {}; }
   // W_e^(1) of z0 and the density in a direction w (unit); false where nothing is measured.

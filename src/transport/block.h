@@ -177,6 +177,7 @@ class Block {
   bool scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, Scattering& scattering, float& cosine) const;
   void start_light(uint32_t light, uint32_t most);
   FilmPosition spread(const Four& u) const;
+  EyeStart start_anywhere(const Four& u) const;
   // The contributions of some work, kept instead of added to the film.
   template <class Work>
   const std::vector<Contribution>& keep(Work&& work);

@@ -129,8 +129,8 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
   e.light_at_z = direction * geometry;
   e.light_before_z = at_z.previous * z.geometry;
   const PathVertex start{position, at_z.next * geometry, false};
-  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite,
-                         light_, *strategy_);
+  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable,
+                         engine_.local || !y0.infinite, light_, *strategy_);
 }
 
 void Block::connect_to_own_start(const Vertex& y, uint32_t light) {

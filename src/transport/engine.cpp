@@ -111,6 +111,14 @@ void Engine::set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>&
   light_weight = plan.pooled ? 1 : float(1 / rates.mean());
 }
 
+uint64_t Engine::measured(const PixelRect& rect) const {
+  if (!local) return rect.count();
+  uint64_t n = 0;
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x) n += sample_number(x, y) >= 0;
+  return n;
+}
+
 FilmRecipe Engine::recipe() const {
   const uint64_t all = hash_values(sensor.hash(), film.desc().hash(), options.hash());
   return {seed, scene.info().hash, all, samples_per_pass(), pool_passes};

@@ -74,6 +74,8 @@ struct Engine {
   int64_t sample_number(int x, int y) const {
     return local ? sensor.number(x, y) : int64_t(y - bounds.y0) * bounds.width() + (x - bounds.x0);
   }
+  // How many pixels of a rectangle measure anything.
+  uint64_t measured(const PixelRect& rect) const;
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
   void set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>& eye, const std::vector<RegionMeasure>& all);
   // Whether something that an ImagePilot finds is still unknown.
