@@ -596,7 +596,9 @@ typedef struct bdpt_points_desc {
   const bdpt_point *points;
   const bdpt_output_desc *outputs; /* irradiance of points without normal is an error */
   uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
-  uint32_t reserved;
+  float offset;              /* points with a normal may lie on surfaces: their rays start so far off, along the normal;
+                                0 = 16 ulps of the largest coordinate of all points, which is enough unless a triangle
+                                there is larger than that */
 } bdpt_points_desc;
 
 /* Creates a sensor of points in space. The film has them in rows, in order: a packed read of it begins with the points,

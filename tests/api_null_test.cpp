@@ -115,6 +115,22 @@ TEST(ApiNull, SceneSensorFilmAndRenderCallsRefuseIt) {
   EXPECT_INVALID(bdpt_camera_create(world.context.get(), nullptr, &sensor));
   EXPECT_INVALID(bdpt_camera_create(world.context.get(), &camera, nullptr));
 
+  const bdpt_lightmap_desc lightmap = make<bdpt_lightmap_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_lightmap_create(nullptr, &lightmap, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_lightmap_create(world.scene.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_lightmap_create(world.scene.get(), &lightmap, nullptr));
+  bdpt_lightmap_info lightmap_info = make<bdpt_lightmap_info>();
+  EXPECT_INVALID(bdpt_lightmap_get_info(nullptr, &lightmap_info));
+  EXPECT_INVALID(bdpt_lightmap_read_texels(nullptr, nullptr, nullptr, 0));
+  const bdpt_points_desc points = make<bdpt_points_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_points_create(nullptr, &points, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_points_create(world.context.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_points_create(world.context.get(), &points, nullptr));
+
   bdpt_film* film = dirty<bdpt_film>();
   EXPECT_INVALID(bdpt_film_create(nullptr, nullptr, &film));
   EXPECT_EQ(nullptr, film);

@@ -124,6 +124,41 @@ TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
     bdpt_sensor_release(sensor);
     return result;
   });
+  bdpt_lightmap_instance floor = make<bdpt_lightmap_instance>();
+  floor.instance = world.contents.floor;
+  bdpt_output_desc output = make<bdpt_output_desc>();
+  bdpt_lightmap_desc lightmap = make<bdpt_lightmap_desc>();
+  lightmap.width = lightmap.height = 4, lightmap.instance_count = lightmap.output_count = 1;
+  lightmap.instances = &floor, lightmap.outputs = &output;
+  Sensor kept;
+  const auto create_lightmap = [&](const bdpt_lightmap_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_lightmap_create(world.scene.get(), d, &sensor);
+    if (sensor) kept.reset(sensor);
+    return result;
+  };
+  check<bdpt_lightmap_desc>("bdpt_lightmap_desc", 72, lightmap, create_lightmap);
+  check<bdpt_lightmap_instance>("bdpt_lightmap_instance", 40, floor, [&](bdpt_lightmap_instance* i) {
+    bdpt_lightmap_desc d = lightmap;
+    d.instances = i;
+    return create_lightmap(&d);
+  });
+  check<bdpt_output_desc>("bdpt_output_desc", 24, output, [&](bdpt_output_desc* o) {
+    bdpt_lightmap_desc d = lightmap;
+    d.outputs = o;
+    return create_lightmap(&d);
+  });
+  check<bdpt_lightmap_info>("bdpt_lightmap_info", 64, make<bdpt_lightmap_info>(),
+                            [&](bdpt_lightmap_info* info) { return bdpt_lightmap_get_info(kept.get(), info); });
+  const bdpt_point point{{0, 1, 0}, {0, 1, 0}, 0, 0};
+  bdpt_points_desc points = make<bdpt_points_desc>();
+  points.count = 1, points.points = &point;
+  check<bdpt_points_desc>("bdpt_points_desc", 48, points, [&](bdpt_points_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_points_create(world.context.get(), d, &sensor);
+    bdpt_sensor_release(sensor);
+    return result;
+  });
   check<bdpt_film_desc>("bdpt_film_desc", 32, make<bdpt_film_desc>(), [&](bdpt_film_desc* d) {
     bdpt_film* film = nullptr;
     const bdpt_result result = bdpt_film_create(world.sensor.get(), d, &film);

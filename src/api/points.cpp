@@ -41,7 +41,7 @@ bdpt_result bdpt_points_create(bdpt_context* context, const bdpt_points_desc* de
     if (d.point_stride != 0 && (d.point_stride < sizeof(bdpt_point) || d.point_stride % 4 != 0))
       subject.refuse("point_stride", "is ", d.point_stride, ": give a multiple of 4 from ", sizeof(bdpt_point),
                      ", or 0 for packed points");
-    subject.check_reserved("reserved", d.reserved);
+    subject.check_not_negative("offset", &d.offset, 1);
     std::vector<MeasuredPoint> points;
     points.reserve(d.count);
     for (uint64_t i = 0; i < d.count; ++i) points.push_back(read_point(*element(d.points, i, d.point_stride), i));
@@ -56,7 +56,7 @@ bdpt_result bdpt_points_create(bdpt_context* context, const bdpt_points_desc* de
                            "fluence or spherical harmonics");
     auto object = std::make_unique<bdpt_sensor>();
     object->context = Ref<bdpt_context>(context);
-    object->sensor = std::make_shared<const Points>(std::move(points), outputs);
+    object->sensor = std::make_shared<const Points>(std::move(points), outputs, d.offset);
     *sensor = object.release();
   });
 }

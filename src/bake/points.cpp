@@ -1,5 +1,6 @@
 #include "bake/points.h"
 
+#include "geometry/margin.h"
 #include "sampling/hash.h"
 
 namespace bdpt {
@@ -18,8 +19,10 @@ bool is_base(const std::vector<MeasuredPoint>& points, const Outputs& outputs) {
 
 }  // namespace
 
-Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs)
-    : points_(std::move(points)), outputs_(outputs), hemisphere_(0.5f) {
+Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs, float offset)
+    : points_(std::move(points)), outputs_(outputs), offset_(offset), hemisphere_(0.5f) {
+  if (offset_ == 0)
+    for (const MeasuredPoint& p : points_) offset_ = std::max(offset_, margin_of(largest(p.p)));
   // Square, so that neighbours in order are neighbours in blocks.
   width_ = std::max(1, int(std::ceil(std::sqrt(double(points_.size())))));
   height_ = int((points_.size() + size_t(width_) - 1) / size_t(width_));
@@ -29,6 +32,7 @@ Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>&
     cosines = cosines && (o.kind == OutputKind::Irradiance || o.kind == OutputKind::IrradianceOverPi);
   if (cosines) hemisphere_ = HemisphereSampler(1);
   hash_ = hash_combine(outputs_.hash(), hash_values(points_.size()));
+  hash_ = hash_bytes(&offset_, sizeof(offset_), hash_);
   for (const MeasuredPoint& p : points_) {
     const float numbers[] = {p.p.x, p.p.y, p.p.z, p.normal.x, p.normal.y, p.normal.z, p.radius};
     hash_ = hash_bytes(numbers, sizeof(numbers), hash_);
@@ -60,6 +64,7 @@ EyeStart Points::start_at(int x, int y, const float u[4]) const {
     }
     const Vec3 local = hemisphere_.sample(u[2], u[3]);
     s.direction = frame.to_world(local);
+    s.margin = offset_;
     s.cosine = std::max(local.z, 1e-7f);
     s.density_direction = hemisphere_.density(s.cosine);
   }

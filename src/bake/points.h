@@ -16,7 +16,9 @@ struct MeasuredPoint {
 
 class Points final : public Sensor {
  public:
-  Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs);
+  // offset: how far along its normal a point's rays start; 0 = enough for a point that lies on a surface no larger than
+  // the points' own coordinates.
+  Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs, float offset = 0);
 
   // Points stand in rows, in order; the last row may have room left.
   int width() const override { return width_; }
@@ -38,6 +40,7 @@ class Points final : public Sensor {
   Outputs outputs_;
   int width_, height_;
   bool responds_;
+  float offset_;
   HemisphereSampler hemisphere_;
   uint64_t hash_;
 };
