@@ -607,6 +607,78 @@ typedef struct bdpt_points_desc {
  * Ownership: copies; the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const bdpt_points_desc *desc, bdpt_sensor **sensor);
 
+/* --- Measurements of your own ---
+ * Measurement j, plane c, is I = INT INT W(x) R_c(x,w) L(x,w) dw' dA: x in space or on a surface, w away from it, dw' the
+ * projected solid angle with the normal at x (the solid angle where there is none), L the light that arrives at x from w.
+ * start samples x and w, density tells how, respond is R, and land says where light subpaths count that land on a surface
+ * (t = 0). What is left NULL leaves just those techniques out that need it: land t = 0, density t = 1 and t = 0.
+ * The functions are called from all threads that render, at the same time, each with n >= 1 at once. They must be pure:
+ * their results depend on nothing but their arguments. They return 0; any other value stops the call, which returns
+ * BDPT_ERROR_CALLBACK_FAILED, and the pass in hand is lost. What is not finite, a density that is not above 0, or a
+ * direction that is not unit or points away from its normal, is counted in bdpt_render_stats.rejected and left out. */
+
+/* Where a measurement begins. */
+typedef struct bdpt_measurement_start {
+  float position[3];
+  float normal[3];         /* unit; zero for a point in space */
+  float direction[3];      /* unit, on the normal's side */
+  float weight;            /* W(position) / density_position; any sign */
+  float density_position;  /* per area; 1 for a fixed point */
+  float density_direction; /* per projected solid angle, or solid angle without normal: what density tells of it */
+  float offset;            /* rays start so far off, along the normal; on a surface, more than rounding */
+  uint32_t reserved;
+} bdpt_measurement_start;
+
+/* A point of a measurement and a direction there. */
+typedef struct bdpt_measurement_place {
+  uint64_t measurement;
+  float position[3];
+  float normal[3];
+  float direction[3]; /* unit: where light comes from; on the normal's side */
+  uint32_t reserved;
+} bdpt_measurement_place;
+
+/* Light that lands on a surface of the scene. */
+typedef struct bdpt_measurement_landing {
+  bdpt_instance_id instance;
+  uint32_t triangle;  /* of the mesh, without those that have no area; 0 for a sphere */
+  float u, v;         /* barycentric coordinates of its second and third vertex */
+  float position[3];
+  float normal[3];    /* geometric, of the front */
+  float direction[3]; /* unit: where the light comes from */
+} bdpt_measurement_landing;
+
+/* What it counts for. */
+typedef struct bdpt_measurement_landed {
+  uint64_t measurement;   /* BDPT_NO_MEASUREMENT: for none */
+  float normal[3];        /* that start would have given there */
+  float weight;           /* W(position) */
+  float density_position; /* that start would have had for it */
+  uint32_t reserved;
+} bdpt_measurement_landed;
+#define BDPT_NO_MEASUREMENT UINT64_MAX
+
+typedef struct bdpt_custom_desc {
+  uint32_t struct_size;
+  uint32_t planes;       /* [1,1024]; 0 = 1 */
+  uint64_t measurements; /* [1, 2^32) */
+  uint64_t hash;         /* of all that your functions decide: films of other hashes do not merge */
+  int32_t (*start)(void *user, uint32_t n, const uint64_t *measurements, const float (*numbers)[4],
+                   bdpt_measurement_start *starts); /* numbers: 4 uniform ones in [0,1) for each; starts are zero */
+  int32_t (*density)(void *user, uint32_t n, const bdpt_measurement_place *places, float *densities); /* may be NULL */
+  int32_t (*respond)(void *user, uint32_t n, const bdpt_measurement_place *places, float *responses);
+      /* n x planes numbers, any sign; NULL: 1 in all planes */
+  int32_t (*land)(void *user, uint32_t n, const bdpt_measurement_landing *landings, bdpt_measurement_landed *landed);
+      /* may be NULL; landed is zero */
+  void *user;
+  void (*drop)(void *user); /* called once when the sensor is gone, and when this call fails; may be NULL */
+} bdpt_custom_desc;
+
+/* Creates a sensor from functions. The film has measurements in rows, in order, as for bdpt_points_create.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: copies desc; the caller gets one reference. Source: Veach (1997), 10.6. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_custom_create(bdpt_context *context, const bdpt_custom_desc *desc, bdpt_sensor **sensor);
+
 /* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
 BDPT_API void bdpt_sensor_retain(bdpt_sensor *sensor);
 /* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */

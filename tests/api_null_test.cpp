@@ -131,6 +131,13 @@ TEST(ApiNull, SceneSensorFilmAndRenderCallsRefuseIt) {
   EXPECT_INVALID(bdpt_points_create(world.context.get(), nullptr, &sensor));
   EXPECT_INVALID(bdpt_points_create(world.context.get(), &points, nullptr));
 
+  const bdpt_custom_desc custom = make<bdpt_custom_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_custom_create(nullptr, &custom, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_custom_create(world.context.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_custom_create(world.context.get(), &custom, nullptr));
+
   bdpt_film* film = dirty<bdpt_film>();
   EXPECT_INVALID(bdpt_film_create(nullptr, nullptr, &film));
   EXPECT_EQ(nullptr, film);

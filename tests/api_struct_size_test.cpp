@@ -159,6 +159,15 @@ TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
     bdpt_sensor_release(sensor);
     return result;
   });
+  bdpt_custom_desc custom = make<bdpt_custom_desc>();
+  custom.measurements = 1;
+  custom.start = [](void*, uint32_t, const uint64_t*, const float (*)[4], bdpt_measurement_start*) { return 0; };
+  check<bdpt_custom_desc>("bdpt_custom_desc", 72, custom, [&](bdpt_custom_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_custom_create(world.context.get(), d, &sensor);
+    bdpt_sensor_release(sensor);
+    return result;
+  });
   check<bdpt_film_desc>("bdpt_film_desc", 32, make<bdpt_film_desc>(), [&](bdpt_film_desc* d) {
     bdpt_film* film = nullptr;
     const bdpt_result result = bdpt_film_create(world.sensor.get(), d, &film);

@@ -42,6 +42,7 @@ BDPT_VERSION_1_SIZE(bdpt_lightmap_instance, 40);
 BDPT_VERSION_1_SIZE(bdpt_lightmap_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_lightmap_info, 64);
 BDPT_VERSION_1_SIZE(bdpt_points_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_custom_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_film_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_film_info, 96);
 BDPT_VERSION_1_SIZE(bdpt_read_desc, 48);
@@ -58,7 +59,9 @@ BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
 // The library writes these; version 1 is the only one so far.
 static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 // Arrays and parts of other structs carry no size of their own: these can never change.
-static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32);
+static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32 &&
+              sizeof(bdpt_measurement_start) == 56 && sizeof(bdpt_measurement_place) == 48 &&
+              sizeof(bdpt_measurement_landing) == 56 && sizeof(bdpt_measurement_landed) == 32);
 
 // No struct will be longer. A larger number is memory that was never set, and how far to read is unknown.
 inline constexpr uint32_t kMaxStructSize = 4096;

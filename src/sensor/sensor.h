@@ -20,9 +20,9 @@ using FilmPosition = Vec2;
 
 // z0 of a sensor on a surface or in space.
 struct SensorPlace {
-  FilmPosition film;
-  Vec3 p, normal;         // z0, and the unit normal of the lens or the surface; zero for a point in space
-  Vec3 shading{0, 0, 0};  // of a surface: its shading normal
+  FilmPosition film{0, 0};
+  Vec3 p{0, 0, 0}, normal{0, 0, 0};  // z0, and the unit normal of the lens or the surface; zero for a point in space
+  Vec3 shading{0, 0, 0};             // of a surface: its shading normal
 };
 
 // z0 and the first direction of an eye subpath.
@@ -43,6 +43,12 @@ struct SensorPoint : SensorPlace {
   float density_direction;  // P_sigma-perp(z0 -> x)
 };
 
+// A measurement, and the four uniform numbers of a sample of it.
+struct SamplePlace {
+  int x, y;
+  float u[4];
+};
+
 // A direction in which the z0 of a local sensor looks.
 struct SensorDirection {
   float importance;  // W_e^(1)
@@ -53,7 +59,8 @@ struct SensorDirection {
 // A surface of the scene where light arrives, as the ray queries name it.
 struct Landing {
   uint32_t instance, primitive;
-  float u, v;  // barycentric coordinates of the triangle's second and third vertex
+  uint64_t id;  // the host's, of the instance
+  float u, v;   // barycentric coordinates of the triangle's second and third vertex
   Vec3 p, ng, ns;
   Vec3 direction;  // unit, of the light
 };
@@ -115,6 +122,11 @@ class Sensor {
   }
   // Starts an eye subpath of one of them with four uniform numbers: place 2, direction 2.
   virtual EyeStart start_at(int, int, const float[4]) const { return {}; }
+  virtual void start_many(size_t n, const SamplePlace* places, EyeStart* starts) const {
+    for (size_t i = 0; i < n; ++i) starts[i] = start_at(places[i].x, places[i].y, places[i].u);
+  }
+  // Whether directions can be asked for: without look() there is no t = 1.
+  virtual bool can_look() const { return true; }
   // W_e^(1) of z0 and the density in a direction w (unit); false where nothing is measured.
   virtual bool look(const EyeStart&, const Vec3&, SensorDirection&) const { return false; }
   // t = 0 on a surface of the scene.

@@ -91,15 +91,17 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
                  most_light = max_edges_ < engine_.max_light ? max_edges_ + (engine_.hit_sensor || engine_.land)
                                                              : engine_.max_light;
   start(pixel_samples_.size(), pixel_samples_.size() * lights);
+  places_.clear();
   for (uint32_t sample = 0; sample < pixel_samples_.size(); ++sample) {
     const auto& [p, x, y] = pixel_samples_[sample];
     const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
     const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
     const Four u = engine_.draw_film(stream, p, number);
-    eye_.starts[sample] = engine_.local
-                              ? engine_.sensor.start_at(x, y, u.u)
-                              : engine_.sensor.start({within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, bounds);
-    start_eye(sample, most_eye);
+    if (engine_.local)
+      places_.push_back({x, y, {u[0], u[1], u[2], u[3]}});
+    else
+      start_eye(sample, engine_.sensor.start({within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, bounds),
+                most_eye);
     const uint64_t first = uint64_t(engine_.sample_number(x, y)) * lights;
     for (uint32_t l = 0; l < lights; ++l) {
       light_.streams[sample * lights + l] = engine_.light_stream(p, first + l);
@@ -107,10 +109,18 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
     }
     if (pass < kPilotPass) eye_weights_[sample] = float(1 / engine_.rates.rate(x, y));
   }
+  if (!engine_.local) return;
+  engine_.sensor.start_many(places_.size(), places_.data(), eye_.starts.data());
+  for (uint32_t sample = 0; sample < places_.size(); ++sample) start_eye(sample, eye_.starts[sample], most_eye);
 }
 
-void Block::start_eye(uint32_t sample, uint32_t most) {
-  const EyeStart& z0 = eye_.starts[sample];
+void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
+  EyeStart& z0 = eye_.starts[sample] = start;
+  if (!std::isfinite(z0.weight)) {  // what a host's measurement started cannot be used
+    ++stats_.rejected;
+    z0.weight_position = 0;
+    return;
+  }
   uint32_t index = kNoVertex;
   if (engine_.local && keeps_vertices()) {
     index = eye_.last[sample] = uint32_t(eye_.vertices.size());
@@ -330,7 +340,8 @@ size_t Block::memory() const {
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
          arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb) +
          eye_weights_.capacity() * sizeof(float) + responses_.memory() +
-         pixel_samples_.capacity() * sizeof(PixelSample) + kept_.capacity() * sizeof(Contribution) + plan_memory_;
+         pixel_samples_.capacity() * sizeof(PixelSample) + places_.capacity() * sizeof(SamplePlace) +
+         kept_.capacity() * sizeof(Contribution) + plan_memory_;
 }
 
 }  // namespace bdpt

@@ -169,8 +169,7 @@ class Block {
   void start(size_t eyes, size_t lights);
   void choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect);
   void start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect);
-  // From z_0 in eye_.starts on.
-  void start_eye(uint32_t sample, uint32_t most);
+  void start_eye(uint32_t sample, const EyeStart& start, uint32_t most);
   // The z_0 of a local sensor.
   Vertex sensor_vertex(uint32_t sample) const;
   // f_s at z for light from w (unit), and the cosine there.
@@ -238,6 +237,7 @@ class Block {
   std::vector<Contribution> kept_;
   uint64_t seed_ = 0;
   std::vector<PixelSample> pixel_samples_;
+  std::vector<SamplePlace> places_;  // of the samples of a local sensor
   size_t plan_memory_ = 0;
   Responses responses_;
   std::vector<Rgb> eye_sums_;  // samples x planes

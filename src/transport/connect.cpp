@@ -135,7 +135,7 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
 
 void Block::connect_to_own_start(const Vertex& y, uint32_t light) {
   const uint32_t n = uint32_t(engine_.options.light_samples), sample = light / n;
-  connect(y, sensor_vertex(sample), sample, float(n), light_);
+  if (eye_.starts[sample].weight_position != 0) connect(y, sensor_vertex(sample), sample, float(n), light_);
 }
 
 void Block::connect_to_sensor(const Vertex& y, uint32_t light) {

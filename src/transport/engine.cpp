@@ -22,7 +22,7 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
       heuristic(options_.heuristic == Heuristic::Balance ? 1 : options_.beta) {
   // What cannot be: a sensor that light cannot hit, a scene whose lights cannot be hit.
   for (uint32_t& row : options.techniques.rows)
-    if (!sensor.is_hittable()) row &= ~1u;
+    row &= ~((sensor.is_hittable() ? 0u : 1u) | (local && !sensor.can_look() ? 2u : 0u));
   if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
 
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;

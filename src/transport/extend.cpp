@@ -9,7 +9,8 @@ void Block::extend() {
     StageTimer timer(stats_.connect);
     if (engine_.local) {
       for (uint32_t sample = 0; sample < eye_.count(); ++sample)
-        if (takes(1, 1, sample)) connect_to_light(sensor_vertex(sample), sample);
+        if (takes(1, 1, sample) && eye_.starts[sample].weight_position != 0)
+          connect_to_light(sensor_vertex(sample), sample);
     } else {
       for (uint32_t light = 0; light < light_.count(); ++light)
         if (takes(1, 1, light)) connect_start_to_sensor(light);
@@ -199,7 +200,8 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
 void Block::land(const Walker& w, const Hit& hit, const Vertex& y) {
   if (!takes(y.count, 0, w.sample)) return;
   SensorPoint z0;
-  if (engine_.sensor.land({hit.instance, hit.primitive, hit.u, hit.v, y.p, y.ng, y.ns, w.direction}, z0))
+  const uint64_t id = engine_.scene.instance_id(hit.instance);
+  if (engine_.sensor.land({hit.instance, hit.primitive, id, hit.u, hit.v, y.p, y.ng, y.ns, w.direction}, z0))
     add_arrival(w, z0, y.geometry, y.density);
 }
 

@@ -80,8 +80,7 @@ const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair
     for (uint32_t i = 0; i < streams.size(); ++i) {
       eye_.streams[i] = streams[i].eye;
       const Four u = draw(true, i, 0, Purpose::Start);
-      eye_.starts[i] = start_anywhere(u);
-      start_eye(i, engine_.max_eye);
+      start_eye(i, start_anywhere(u), engine_.max_eye);
       if (!lights) continue;
       light_.streams[i] = streams[i].light;
       start_light(i, engine_.max_light);
@@ -101,8 +100,7 @@ const std::vector<Contribution>& Block::sample_chains(std::vector<Chain>& chains
       // With t = 1 and s = 1 the other side takes a fresh vertex to this one's subpath.
       if (technique.t >= 2) {
         const Four u = draw(true, i, 0, Purpose::Start);
-        eye_.starts[i] = start_anywhere(u);
-        start_eye(i, technique.t);
+        start_eye(i, start_anywhere(u), technique.t);
       }
       if (technique.s >= 2 || technique.t == 1) start_light(i, technique.s);
     }
