@@ -72,12 +72,11 @@ class Dilator {
       if (!is_empty(i) && (own == 0 || chart(i) == own)) charts[n++] = chart(i);
     });
     if (n == 0) return std::nullopt;
-    std::sort(charts, charts + n);
     uint32_t best = charts[0];
-    int most = 0, run = 0;
+    std::ptrdiff_t most = 0;
     for (int i = 0; i < n; ++i) {
-      run = i > 0 && charts[i] == charts[i - 1] ? run + 1 : 1;
-      if (run > most) most = run, best = charts[i];
+      const std::ptrdiff_t votes = std::count(charts, charts + n, charts[i]);
+      if (votes > most || (votes == most && charts[i] < best)) most = votes, best = charts[i];
     }
     return best;
   }
