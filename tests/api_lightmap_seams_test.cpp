@@ -142,7 +142,7 @@ LightmapMesh two_quads(const AtlasSide& atlas) {
 TEST(ApiLightmapSeams, ASampleBetweenTwoTexelsIsSolvedExactly) {
   // The edge is at x = 6.5 on one side and, turned, at x = 15 on the other: texels (6, 2), and half (14, 6) and (15,
   // 6).
-  Atlas atlas(20, 10);
+  Atlas atlas(32, 16);
   atlas.fill([](uint32_t, uint32_t y, uint32_t) { return y < 5 ? 1.0f : 3.0f; });
   for (const float lambda : {0.0f, 0.5f}) {
     Atlas fixed = atlas;
@@ -311,7 +311,7 @@ TEST(ApiLightmapSeams, AnUnwrappedModelsSeamsCloseByTheStatedFactor) {
   for (float& v : atlas.pixels) v = float(random() % 1000) / 1000;
   const Atlas before = atlas;
   const bdpt_lightmap_seams_report r = fix(mesh, atlas);
-  EXPECT_GT(r.seams, 100u);
+  EXPECT_GT(r.seams, 50u);
   EXPECT_EQ(1u, r.converged);
   EXPECT_LT(r.error_after, 0.1 * r.error_before);
   uint64_t changed = 0;

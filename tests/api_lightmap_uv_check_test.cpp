@@ -429,7 +429,10 @@ TEST(ApiLightmapUvCheck, AnUnwrappedModelIsFoundInOrder) {
   EXPECT_EQ(0u, r.outside_atlas);
   EXPECT_EQ(0u, r.overlaps_within + r.overlaps_between);
   EXPECT_EQ(0u, r.texels_shared);
-  EXPECT_GT(r.charts, 100u);
+  EXPECT_EQ(419u, r.charts);
+  EXPECT_EQ(3, r.padding);
+  EXPECT_NEAR(256, r.density_min, 0.1);
+  EXPECT_NEAR(256, r.density_max, 0.1);
 }
 
 }  // namespace
