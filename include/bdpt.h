@@ -261,7 +261,8 @@ typedef int32_t bdpt_ownership;
 
 /* A strided array. It never changes its size. release, if not NULL, is called exactly once for every view of a
  * call that was given one, whatever the call's result and the view's ownership: during the call if the data is
- * copied or the call fails, else on the thread that drops the last builder or scene that needs it. */
+ * copied or the call fails, else on the thread that drops the last builder or scene that needs it. Calls that only look
+ * at a mesh (bdpt_uv_instance) never call it. */
 typedef struct bdpt_data {
   const void *data;         /* aligned to 4 bytes (2 for UINT16X3) */
   uint64_t count;           /* elements: vertices, or triangles for indices; 0 = absent */

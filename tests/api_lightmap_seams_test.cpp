@@ -221,6 +221,23 @@ TEST(ApiLightmapSeams, ReflectedInstancesKeepTheirFronts) {
   }
 }
 
+TEST(ApiLightmapSeams, NormalsAreReflectedWithTheirMesh) {
+  Atlas atlas(40, 20);
+  LightmapMesh mesh;
+  add_quad(mesh, {20, 20}, 2, 2, 18, 18, 1);
+  const float mirrored[12] = {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const auto seams = [&](float nx, float ny) {
+    mesh.normals.assign(4, {nx, ny, 2});
+    const bdpt_mesh_desc desc = mesh.desc();
+    bdpt_uv_instance a = uv_instance(desc), b = a;
+    a.uv_scale[0] = b.uv_scale[0] = 0.5f, a.uv_scale[1] = b.uv_scale[1] = 1, b.uv_offset[0] = 0.5f;
+    std::memcpy(b.transform, mirrored, sizeof mirrored);
+    return fix({a, b}, {&atlas}).seams;
+  };
+  EXPECT_EQ(1u, seams(0, 1));
+  EXPECT_EQ(0u, seams(1, 0));  // they lean apart
+}
+
 TEST(ApiLightmapSeams, CornersAreOneWithinTheTolerance) {
   Atlas atlas(40, 20);
   LightmapMesh mesh;

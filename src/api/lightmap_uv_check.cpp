@@ -5,6 +5,7 @@
 #include "lightmap/uv_check.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace bdpt;
 
@@ -51,6 +52,8 @@ void write_maps(const UvCheck& check, const bdpt_uv_maps& maps) {
   write(check.texel_overlaps, maps.texel_overlaps);
 }
 
+float to_float(double v) { return float(std::min(v, double(std::numeric_limits<float>::max()))); }
+
 bdpt_uv_report to_report(const UvCheck& check) {
   bdpt_uv_report report{};
   report.padding = check.padding ? int32_t(*check.padding) : -1;
@@ -67,9 +70,9 @@ bdpt_uv_report to_report(const UvCheck& check) {
   report.overlaps_between = check.overlaps_between;
   report.overlap_area_within = check.overlap_area_within;
   report.overlap_area_between = check.overlap_area_between;
-  report.density_min = float(check.density_min);
-  report.density_mean = float(check.density_mean);
-  report.density_max = float(check.density_max);
+  report.density_min = to_float(check.density_min);
+  report.density_mean = to_float(check.density_mean);
+  report.density_max = to_float(check.density_max);
   report.overlaps_cut = check.overlaps_cut;
   return report;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace bdpt {
@@ -37,46 +38,61 @@ struct Moments {
 };
 
 // v of E0 (1 + 2 v.n) for the luminance, in x, y, z, no longer than 1: light from one direction d has v = d. Longer
-// ones would make E negative somewhere that light can come from; only noise has them, and it is counted.
+// ones would make E negative somewhere that light can come from; only noise has them.
 struct Direction {
   double v[3] = {}, length = 0;
+  bool clipped = false;
 
-  Direction(const Moments& m, EncodeCounts& counts) {
+  explicit Direction(const Moments& m) {
     const double first[3] = {m.luminance(3), m.luminance(1), m.luminance(2)};
     const double norm = std::hypot(first[0], first[1], first[2]);
     if (norm == 0) return;
-    const double l0 = m.luminance(0);
-    length = l0 > 0 ? kY1 * norm / (2 * kY0 * l0) : 2;
-    // Rounding may lengthen what is exactly 1.
-    counts.clipped += length > 1 + 1e-5;
-    const bool dark = !(l0 > 0);
-    length = dark ? 0 : std::min(length, 1.0);
     for (int i = 0; i < 3; ++i) v[i] = first[i] / norm;
+    const double l0 = m.luminance(0);
+    if (l0 > 0) length = kY1 * norm / (2 * kY0 * l0);
+    // Rounding may lengthen what is exactly 1.
+    clipped = !(l0 > 0) || length > 1 + 1e-5;
+    length = std::min(length, 1.0);
   }
 };
+
+// Counts a texel whose values are clipped: already, or by the range of a float.
+void write(const double* values, uint32_t n, bool clipped, float*& out, EncodeCounts& counts) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  for (uint32_t i = 0; i < n; ++i) {
+    const double v = std::clamp(values[i], -kLargest, kLargest);
+    clipped |= v != values[i];
+    *out++ = float(v);
+  }
+  counts.clipped += clipped;
+}
 
 }  // namespace
 
 EncodeCounts encode_dominant(const ShTexels& texels, float* out) {
   EncodeCounts counts;
-  for (size_t i = 0; i < texels.count; ++i, out += kDominantFloats) {
+  for (size_t i = 0; i < texels.count; ++i) {
     const Moments m(texels, i, 4, counts);
-    const Direction d(m, counts);
+    const Direction d(m);
+    double values[kDominantFloats];
     for (int c = 0; c < 3; ++c)
-      out[c] = float(kY0 * m.e[0][c] + kY1 * (m.e[3][c] * d.v[0] + m.e[1][c] * d.v[1] + m.e[2][c] * d.v[2]));
-    for (int k = 0; k < 3; ++k) out[3 + k] = float(d.v[k]);
-    out[6] = float(d.length);
+      values[c] = kY0 * m.e[0][c] + kY1 * (m.e[3][c] * d.v[0] + m.e[1][c] * d.v[1] + m.e[2][c] * d.v[2]);
+    for (int k = 0; k < 3; ++k) values[3 + k] = d.v[k];
+    values[6] = d.length;
+    write(values, kDominantFloats, d.clipped, out, counts);
   }
   return counts;
 }
 
 EncodeCounts encode_mono_sh(const ShTexels& texels, float* out) {
   EncodeCounts counts;
-  for (size_t i = 0; i < texels.count; ++i, out += kMonoShFloats) {
+  for (size_t i = 0; i < texels.count; ++i) {
     const Moments m(texels, i, 4, counts);
-    const Direction d(m, counts);
-    for (int c = 0; c < 3; ++c) out[c] = float(kY0 * m.e[0][c]);
-    for (int k = 0; k < 3; ++k) out[3 + k] = float(d.v[k] * d.length);
+    const Direction d(m);
+    double values[kMonoShFloats];
+    for (int c = 0; c < 3; ++c) values[c] = kY0 * m.e[0][c];
+    for (int k = 0; k < 3; ++k) values[3 + k] = d.v[k] * d.length;
+    write(values, kMonoShFloats, d.clipped, out, counts);
   }
   return counts;
 }
@@ -87,14 +103,16 @@ EncodeCounts encode_h_basis(const ShTexels& texels, uint32_t functions, float* o
   const double a = std::sqrt(0.5), b = std::sqrt(3.0 / 8), c = std::sqrt(45.0 / 128), d = std::sqrt(1.0 / 8),
                e = std::sqrt(15.0 / 32);
   EncodeCounts counts;
-  for (size_t i = 0; i < texels.count; ++i, out += size_t(functions) * 3) {
+  for (size_t i = 0; i < texels.count; ++i) {
     const Moments m(texels, i, 9, counts);
+    double values[18];
     for (int ch = 0; ch < 3; ++ch) {
       const auto y = [&](int k) { return m.e[k][ch]; };
       const double h[6] = {
           a * y(0) + b * y(2), a * y(1) + c * y(5), d * y(2) + e * y(6), a * y(3) + c * y(7), a * y(4), a * y(8)};
-      for (uint32_t k = 0; k < functions; ++k) out[k * 3 + uint32_t(ch)] = float(h[k]);
+      for (int k = 0; k < 6; ++k) values[3 * k + ch] = h[k];
     }
+    write(values, functions * 3, false, out, counts);
   }
   return counts;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bdpt {
 namespace {
@@ -196,7 +197,8 @@ SeamFix solve_seams(const std::vector<Seam>& seams, const std::vector<SeamImage>
     before += system.weighted_squares(values);
     const Solution solution = solve_channel(system, values, options);
     for (size_t i = 0; i < values.size(); ++i) {
-      const float value = float(values[i] + solution.change[i]);
+      constexpr double kLargest = std::numeric_limits<float>::max();
+      const float value = float(std::clamp(values[i] + solution.change[i], -kLargest, kLargest));
       fix.values[i * options.channels + c] = value;
       values[i] = value;
     }
