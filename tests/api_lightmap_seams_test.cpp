@@ -315,6 +315,8 @@ TEST(ApiLightmapSeams, TrianglesWithoutAreaMakeNone) {
   LightmapMesh thin = mesh;
   thin.positions[5] = mesh.positions[1];
   EXPECT_EQ(0u, fix(thin, atlas).seams);
+  thin.normals.assign(6, {0, 0, 1});
+  EXPECT_EQ(0u, fix(thin, atlas).seams);
   thin = mesh;
   thin.uv[5] = mesh.uv[4];
   EXPECT_EQ(0u, fix(thin, atlas).seams);

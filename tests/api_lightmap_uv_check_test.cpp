@@ -104,6 +104,27 @@ TEST(ApiLightmapUvCheck, ATexelOfTwoChartsIsSharedWithoutOverlap) {
   EXPECT_EQ(2u, c.texel_charts[5 * kWidth + 10]);  // three quarters of it
 }
 
+TEST(ApiLightmapUvCheck, AChartWithinATexelOfAnotherLeavesNoPadding) {
+  LightmapMesh mesh;
+  add_quad(mesh, kAtlas, 2, 3, 10.25f, 13, 1);
+  add_quad(mesh, kAtlas, 10.5f, 5.25f, 10.75f, 5.5f, 1, 100);
+  const Check c = check(mesh);
+  EXPECT_EQ(1u, c.report.texels_shared);
+  EXPECT_EQ(1u, c.texel_charts[5 * kWidth + 10]);
+  EXPECT_EQ(0, c.report.padding);
+}
+
+TEST(ApiLightmapUvCheck, APairOverlapsInATexelOnce) {
+  // A star of two triangles: they share a hexagon.
+  LightmapMesh mesh;
+  add_triangle(mesh, kAtlas, {{{4.3f, 4.2f}, {8.2f, 10.7f}, {12.1f, 4.2f}}});
+  add_triangle(mesh, kAtlas, {{{8.2f, 2.1f}, {4.3f, 8.6f}, {12.1f, 8.6f}}}, 1);
+  const Check c = check(mesh);
+  EXPECT_EQ(1u, c.report.overlaps_between);
+  EXPECT_GT(sum(c.texel_overlaps), c.report.overlap_area_between);
+  for (const uint32_t n : c.texel_overlaps) EXPECT_LE(n, 1u);
+}
+
 TEST(ApiLightmapUvCheck, RoundingClaimsNoTexelButAHundredthDoes) {
   for (const float beyond : {1e-4f, 1e-2f}) {
     LightmapMesh mesh;
