@@ -906,7 +906,7 @@ typedef struct bdpt_uv_report {
   uint64_t outside_rect;         /* triangles that leave their instance's rectangle by more than 1/1000 texel */
   uint64_t outside_atlas;        /*   and the atlas */
   uint64_t zero_area_uv;         /* triangles of less than a millionth of a texel */
-  uint64_t zero_area_world;      /* triangles that bdpt_mesh_add would drop */
+  uint64_t zero_area_world;      /* triangles without area in the world, but for rounding */
   uint64_t mirrored;             /* triangles that show the atlas mirrored when seen from the front */
   uint64_t texels_claimed;       /* texels that a chart touches, further in than 1/1000 texel */
   uint64_t texels_shared;        /* texels that two charts or more touch: light leaks from one to the other */
@@ -1002,8 +1002,8 @@ typedef struct bdpt_lightmap_seams_report {
 
 /* Makes the two sides of every seam agree, within and between meshes, instances and atlases, in place: the texels T that
  * bilinear lookups along seams read minimise  sum w (B_a T - B_b T)² + lambda |T - T_0|²  over samples half a texel
- * apart, w being the length they stand for in texels. All other texels keep their bits. Edges are joined whole, corner
- * to corner. report may be NULL.
+ * apart, w being the length they stand for in texels, B_a T and B_b T the lookups on both sides, T_0 the values given.
+ * All other texels keep their bits. Edges are joined whole, corner to corner. report may be NULL.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: reads the meshes during the call; writes pixels and *report. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_fix_seams(const bdpt_lightmap_seams_desc *desc, bdpt_lightmap_seams_report *report);

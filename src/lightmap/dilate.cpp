@@ -30,10 +30,10 @@ class Dilator {
   }
 
  private:
-  // Where a texel's value is: nowhere, in the image, or in the result at this place.
-  static constexpr uint32_t kEmpty = 0xFFFFFFFFu, kOriginal = 0xFFFFFFFEu;
+  // Where a texel's value is: nowhere, nowhere but among the candidates, in the image, or in the result at this place.
+  static constexpr uint32_t kEmpty = 0xFFFFFFFFu, kCandidate = 0xFFFFFFFEu, kOriginal = 0xFFFFFFFDu;
 
-  bool is_empty(size_t texel) const { return slots_[texel] == kEmpty; }
+  bool is_empty(size_t texel) const { return slots_[texel] > kOriginal; }
   bool is_finite(size_t texel) const {
     const float* v = image_.pixels + texel * image_.channels;
     return std::all_of(v, v + image_.channels, [](float x) { return std::isfinite(x); });
@@ -54,13 +54,15 @@ class Dilator {
     for (const size_t texel : candidates)
       if (const std::optional<uint32_t> chart = choose_chart(texel)) add_mean(texel, *chart);
     for (size_t i = before; i < result_.texels.size(); ++i) slots_[result_.texels[i]] = uint32_t(i);
+    for (const size_t texel : candidates)
+      if (is_empty(texel)) slots_[texel] = kEmpty;
     std::vector<size_t> next;
     for (size_t i = before; i < result_.texels.size(); ++i)
       for_each_neighbor(result_.texels[i], image_.width, image_.height, [&](size_t n) {
-        if (is_empty(n)) next.push_back(n);
+        if (slots_[n] != kEmpty) return;
+        slots_[n] = kCandidate;
+        next.push_back(n);
       });
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
     return next;
   }
 
@@ -72,6 +74,7 @@ class Dilator {
       if (!is_empty(i) && (own == 0 || chart(i) == own)) charts[n++] = chart(i);
     });
     if (n == 0) return std::nullopt;
+    if (!image_.charts) return 0;
     uint32_t best = charts[0];
     std::ptrdiff_t most = 0;
     for (int i = 0; i < n; ++i) {
