@@ -261,7 +261,8 @@ typedef int32_t bdpt_ownership;
 
 /* A strided array. It never changes its size. release, if not NULL, is called exactly once for every view of a
  * call that was given one, whatever the call's result and the view's ownership: during the call if the data is
- * copied or the call fails, else on the thread that drops the last builder or scene that needs it. */
+ * copied or the call fails, else on the thread that drops the last builder or scene that needs it. Calls that only look
+ * at a mesh (bdpt_uv_instance) never call it. */
 typedef struct bdpt_data {
   const void *data;         /* aligned to 4 bytes (2 for UINT16X3) */
   uint64_t count;           /* elements: vertices, or triangles for indices; 0 = absent */
@@ -1046,6 +1047,225 @@ typedef struct bdpt_technique_stats {
  * object. Callbacks: allowed. Ownership: copies into *stats. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_render_get_technique_stats(const bdpt_render *render, uint32_t s, uint32_t t,
                                                                 bdpt_technique_stats *stats);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Lightmaps: work on buffers. These need no context.
+ *
+ *   Atlas      Row 0 is the top, where v = 1: (u, v) is the point (u width, (1 - v) height) of the atlas. Texel (x, y)
+ *              covers [x, x+1) x [y, y+1), its value sits at its centre, and lookups between centres are bilinear.
+ *   Buffers    are the caller's, packed, row by row. A capacity is a buffer's size in bytes; one too small is refused.
+ *   Not finite A texel with a value that is NaN or infinite is counted and has no value: it spreads to no other.
+ *   The same input gives the same output to the bit. A call that fails has changed no buffer.
+ */
+
+/* A mesh in the world and in an atlas. An array's element: it will not grow, see the strides. */
+typedef struct bdpt_uv_instance {
+  const bdpt_mesh_desc *mesh; /* uv[1] is required, and read during the call only: no release is called. Triangles
+                                 without area are allowed */
+  float transform[12];        /* object to world, invertible; twelve zeros = identity */
+  float uv_scale[2];          /* uv[1] times uv_scale */
+  float uv_offset[2];         /*   plus uv_offset is the place in the atlas: that of [0,1] x [0,1] is the instance's
+                                 rectangle. Two zeros for the scale = 1; a negative one turns it over */
+  uint32_t atlas;             /* which atlas it is in, from 0 */
+  uint32_t reserved;
+} bdpt_uv_instance;
+
+typedef struct bdpt_uv_check_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;           /* at least 1 */
+  const bdpt_uv_instance *instances;
+  uint32_t instance_stride;          /* bytes from instance to instance; 0 = sizeof(bdpt_uv_instance) */
+  uint32_t atlas;                    /* the one to look at: instances in others are passed over */
+  uint32_t width, height;            /* of the atlas, 1 to 65536 texels, and at most 2^28 together */
+  uint32_t padding_reach;            /* look for charts that are so many texels apart, [1,1024]; 0 = 16 */
+  uint32_t reserved;
+  uint64_t max_overlaps;             /* stop looking after so many pairs; 0 = 1,000,000 */
+} bdpt_uv_check_desc;
+
+/* Where bdpt_uv_check leaves its maps; each buffer may be NULL. */
+typedef struct bdpt_uv_maps {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint32_t *triangle_charts;         /* chart of each triangle, from 1, instance after instance; 0 in other atlases */
+  uint64_t triangle_charts_capacity;
+  uint32_t *texel_charts;            /* the chart with the largest part of the texel; 0 = none */
+  uint64_t texel_charts_capacity;
+  uint32_t *texel_claims;            /* how many charts touch the texel */
+  uint64_t texel_claims_capacity;
+  uint32_t *texel_overlaps;          /* how many pairs of triangles overlap in the texel */
+  uint64_t texel_overlaps_capacity;
+} bdpt_uv_maps;
+
+typedef struct bdpt_uv_report {
+  uint32_t struct_size;
+  int32_t padding;               /* fewest free texels between two charts, along rows, columns or diagonals; 0 if charts
+                                    touch or share a texel; -1 = no two charts within padding_reach */
+  uint64_t triangles;
+  uint64_t charts;               /* triangles of an instance are of one chart if they share a vertex: the same point in
+                                    the world and in the atlas, whatever its index */
+  uint64_t outside_rect;         /* triangles that leave their instance's rectangle by more than 1/1000 texel */
+  uint64_t outside_atlas;        /*   and the atlas */
+  uint64_t zero_area_uv;         /* triangles of less than a millionth of a texel */
+  uint64_t zero_area_world;      /* triangles without area in the world, but for rounding */
+  uint64_t mirrored;             /* triangles that show the atlas mirrored when seen from the front */
+  uint64_t texels_claimed;       /* texels that a chart touches, further in than 1/1000 texel */
+  uint64_t texels_shared;        /* texels that two charts or more touch: light leaks from one to the other */
+  uint64_t overlaps_within;      /* pairs of triangles of one chart that share more than 1/1000 of the smaller one's area
+                                    and more than 1/100000 texel: a chart that folds over */
+  uint64_t overlaps_between;     /* pairs of triangles of two charts that do */
+  double overlap_area_within;    /* what they share, texels, added up over the pairs */
+  double overlap_area_between;
+  float density_min;             /* texels per world unit: root of the ratio of areas, over triangles that have both; */
+  float density_mean;            /*   of the sums of both areas; */
+  float density_max;             /*   all 0 where no triangle has */
+  uint32_t overlaps_cut;         /* 1: there are more pairs than max_overlaps */
+} bdpt_uv_report;
+
+/* Tells what is wrong with the lightmap coordinates of an atlas, and what they are like. maps may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for triangles that cover the atlas more than 256 times: coordinates that
+ * are not for lightmaps), _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads the meshes during the call; writes *report and the maps. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_uv_check(const bdpt_uv_check_desc *desc, const bdpt_uv_maps *maps, bdpt_uv_report *report);
+
+typedef struct bdpt_lightmap_dilate_desc {
+  uint32_t struct_size;
+  uint32_t width, height;   /* 1 to 65536 texels, and at most 2^28 together */
+  uint32_t channels;        /* floats to a texel, 1 to 4096 */
+  uint32_t steps;           /* rings of texels to fill; 0 = 4. Bilinear lookups need 1, bicubic ones 2, m mipmaps 2^m,
+                               blocks of 4 x 4 need 4 */
+  uint32_t reserved;
+  float *pixels;
+  uint64_t pixels_capacity;
+  uint8_t *mask;            /* a byte to a texel: 0 = no value. Becomes 1 where one is filled in, and 0 where the value
+                               that was there is not finite and is not replaced */
+  uint64_t mask_capacity;
+  uint32_t *charts;         /* chart of each texel: values spread within their chart only. A texel without value that
+                               is of chart 0 takes the chart of most of its neighbours, the lowest of equals. NULL = no
+                               difference is made */
+  uint64_t charts_capacity;
+} bdpt_lightmap_dilate_desc;
+
+typedef struct bdpt_lightmap_dilate_report {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t filled;     /* texels */
+  uint64_t not_finite; /* texels that had a value by the mask, but not a finite one */
+  uint64_t left;       /* texels that are still without a value */
+} bdpt_lightmap_dilate_report;
+
+/* Fills gutters, in place: in each step every texel without a value that has neighbours with one, among the eight round
+ * it, takes their mean in every channel. report may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: writes pixels, mask, charts and *report. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_dilate(const bdpt_lightmap_dilate_desc *desc, bdpt_lightmap_dilate_report *report);
+
+/* An atlas' pixels. An array's element: it will not grow. */
+typedef struct bdpt_lightmap_image {
+  float *pixels;          /* channels floats to a texel */
+  uint64_t capacity;
+  const uint8_t *mask;    /* a byte to a texel: 0 = no value; NULL = all have one */
+  uint64_t mask_capacity;
+  uint32_t width, height; /* 1 to 65536 texels, and at most 2^28 together */
+} bdpt_lightmap_image;
+
+typedef struct bdpt_lightmap_seams_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;           /* at least 1 */
+  const bdpt_uv_instance *instances;
+  uint32_t instance_stride;          /* bytes from instance to instance; 0 = sizeof(bdpt_uv_instance) */
+  uint32_t image_count;              /* at least 1 */
+  const bdpt_lightmap_image *images; /* instances name them by their atlas */
+  uint32_t image_stride;             /* bytes from image to image; 0 = sizeof(bdpt_lightmap_image) */
+  uint32_t channels;                 /* of all images, 1 to 4096 */
+  float position_tolerance;          /* world units along each axis, within which two corners are one; 0 = 1/100000 of
+                                        the diagonal of all that is there */
+  float angle;                       /* normals of both sides that differ by more leave the edge as it is, [0,180]
+                                        degrees; 0 = 15. Of vertices where the mesh has normals, else of triangles */
+  float lambda;                      /* how much texels resist: the less, the closer the two sides get, (0, 1e6];
+                                        0 = 0.01 */
+  uint32_t max_iterations;           /* of conjugate gradients, for each channel; 0 = 1000 */
+} bdpt_lightmap_seams_desc;
+
+typedef struct bdpt_lightmap_seams_report {
+  uint32_t struct_size;
+  uint32_t iterations;      /* the most that a channel took */
+  uint64_t seams;           /* edges that are one in the world and two in the atlas */
+  uint64_t samples;         /* points along them where both sides were compared */
+  uint64_t samples_skipped; /* points left out: outside the atlas, or beside a texel without a value: dilate first */
+  uint64_t not_finite;      /* texels near seams that have a value by the mask, but not a finite one */
+  uint64_t texels;          /* that were free to change */
+  double error_before;      /* root of the mean square difference of the two sides, over samples and channels */
+  double error_after;
+  uint32_t converged;       /* 0: max_iterations was reached in a channel; what it had is kept */
+  uint32_t reserved;
+} bdpt_lightmap_seams_report;
+
+/* Makes the two sides of every seam agree, within and between meshes, instances and atlases, in place: the texels T that
+ * bilinear lookups along seams read minimise  sum w (B_a T - B_b T)² + lambda |T - T_0|²  over samples half a texel
+ * apart, w being the length they stand for in texels, B_a T and B_b T the lookups on both sides, T_0 the values given.
+ * All other texels keep their bits. Edges are joined whole, corner to corner. report may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads the meshes during the call; writes pixels and *report. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_fix_seams(const bdpt_lightmap_seams_desc *desc, bdpt_lightmap_seams_report *report);
+
+/* Encodings, each of a texel:
+ * HALF      channels 16-bit floats, rounded to nearest; clipped to +-65504
+ * RGBM      4 bytes R, G, B, M of an RGB colour: range M/255 (R, G, B)/255; clipped to [0, range], of which each channel
+ *           keeps an error of at most 1/510 of range M/255
+ * RGBD      4 bytes R, G, B, D of an RGB colour, D at least 1: range/D (R, G, B)/255; clipped to [0, range]; an error of
+ *           at most 1/510 of range/D, so of 1/255 of the largest channel where that is at least range/255
+ * The others take coefficients c of spherical harmonics, RGB each, in the order 1; y, z, x; xy, yz, 3z²-1, xz, x²-y²
+ * with the factors 0.282095; 0.488603; 1.092548, 1.092548, 0.315392, 1.092548, 0.546274. They give 32-bit floats that
+ * say what the irradiance E(n) is for a surface of normal n; E is in W/m², not divided by pi:
+ * DOMINANT  7 floats from 4 coefficients: E(d) as RGB, by bands 0 and 1; d, the direction of the luminance's band 1, or
+ *           zeros; s, how much of the light comes from there: 0 if it is even, 1 if all does
+ * MONO_SH   6 floats from 4 coefficients: E_0, the mean of E(n) over all directions, as RGB; v, of the luminance,
+ *           clipped to |v| <= 1: E(n) = E_0 (1 + 2 v·n), which is what bands 0 and 1 say where the light is grey
+ * H4, H6    4 or 6 RGB coefficients, from 9 in the surface's own frame (z is its normal): E(n) = sum h_i H_i(n) for
+ *           n_z >= 0, with H = (1/2pi)^½; (3/2pi)^½ times y, 2z-1, x; (15/2pi)^½ times xy, (x²-y²)/2: the basis of
+ *           Habel and Wimmer (2010), orthonormal on the hemisphere; the fit is that of least squares there */
+typedef int32_t bdpt_lightmap_encoding;
+#define BDPT_LIGHTMAP_ENCODING_HALF 0
+#define BDPT_LIGHTMAP_ENCODING_RGBM 1
+#define BDPT_LIGHTMAP_ENCODING_RGBD 2
+#define BDPT_LIGHTMAP_ENCODING_DOMINANT 3
+#define BDPT_LIGHTMAP_ENCODING_MONO_SH 4
+#define BDPT_LIGHTMAP_ENCODING_H4 5
+#define BDPT_LIGHTMAP_ENCODING_H6 6
+
+typedef int32_t bdpt_sh;
+#define BDPT_SH_RADIANCE 0   /* c_lm = integral of L Y_lm over directions; E(n) = sum A_l c_lm Y_lm(n) with A = pi,
+                                2pi/3, pi/4 */
+#define BDPT_SH_IRRADIANCE 1 /* those times A_l: E(n) = sum c_lm Y_lm(n) */
+
+typedef struct bdpt_lightmap_encode_desc {
+  uint32_t struct_size;
+  bdpt_lightmap_encoding encoding;
+  bdpt_sh sh;               /* what the coefficients are; 0 where there are none */
+  uint32_t channels;        /* HALF: floats to a texel, 1 to 4096; else 0 */
+  uint64_t texels;          /* 1 to 2^32 */
+  const float *pixels;
+  uint64_t pixels_capacity;
+  uint64_t texel_stride;    /* floats from texel to texel; 0 = packed; at most 65536 */
+  uint64_t plane_stride;    /* coefficients: floats from one of a texel to its next, 3 to 2^40; 0 = 3. Three times
+                               texels for images behind one another, each of one coefficient; else 0 */
+  void *encoded;            /* packed; aligned to 2 bytes for HALF, to 4 for floats; does not overlap pixels */
+  uint64_t encoded_capacity;
+  float range;              /* RGBM: 0 = 8; RGBD: 0 = 255; else 0 */
+  uint32_t reserved;
+} bdpt_lightmap_encode_desc;
+
+typedef struct bdpt_lightmap_encode_report {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t clipped;    /* texels with a value that was clipped */
+  uint64_t not_finite; /* texels with a value that is not finite: encoded as 0 in all channels */
+} bdpt_lightmap_encode_report;
+
+/* Encodes texels. report may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads pixels, writes encoded and *report. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_encode(const bdpt_lightmap_encode_desc *desc, bdpt_lightmap_encode_report *report);
 
 /* ---------------------------------------------------------------------------------------------------------------
  * Images: display transform and files. These need no context.

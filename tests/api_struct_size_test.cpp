@@ -1,5 +1,6 @@
 // Old callers, new callers, and callers that never set struct_size.
 #include "api_scene.h"
+#include "lightmap_meshes.h"
 #include "temp_folder.h"
 
 #include <cstdlib>
@@ -216,6 +217,56 @@ TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
   exr.width = exr.height = exr.layer_count = 1, exr.layers = &layer;
   check<bdpt_exr_desc>("bdpt_exr_desc", 32, exr,
                        [&](bdpt_exr_desc* d) { return bdpt_image_write_exr(folder.file("a.exr").c_str(), d); });
+}
+
+TEST(ApiStructSize, LightmapStructsAreReadBySize) {
+  LightmapMesh mesh;
+  add_quad(mesh, {8, 8}, 1, 1, 7, 7, 1);
+  bdpt_mesh_desc mesh_desc = mesh.desc();
+  bdpt_uv_instance instance = uv_instance(mesh_desc);
+  bdpt_uv_check_desc uv_check = make<bdpt_uv_check_desc>();
+  uv_check.instance_count = 1, uv_check.instances = &instance, uv_check.width = uv_check.height = 8;
+  bdpt_uv_report uv_report = make<bdpt_uv_report>();
+  check<bdpt_uv_check_desc>("bdpt_uv_check_desc", 48, uv_check,
+                            [&](bdpt_uv_check_desc* d) { return bdpt_uv_check(d, nullptr, &uv_report); });
+  check<bdpt_uv_maps>("bdpt_uv_maps", 72, make<bdpt_uv_maps>(),
+                      [&](bdpt_uv_maps* m) { return bdpt_uv_check(&uv_check, m, &uv_report); });
+  check<bdpt_uv_report>("bdpt_uv_report", 128, make<bdpt_uv_report>(),
+                        [&](bdpt_uv_report* r) { return bdpt_uv_check(&uv_check, nullptr, r); });
+  check<bdpt_mesh_desc>("bdpt_mesh_desc of an instance", 296, mesh_desc, [&](bdpt_mesh_desc* m) {
+    instance.mesh = m;
+    return bdpt_uv_check(&uv_check, nullptr, &uv_report);
+  });
+  instance.mesh = &mesh_desc;
+
+  std::vector<float> pixels(64);
+  std::vector<uint8_t> mask(64);
+  bdpt_lightmap_dilate_desc dilate = make<bdpt_lightmap_dilate_desc>();
+  dilate.width = dilate.height = 8, dilate.channels = 1;
+  dilate.pixels = pixels.data(), dilate.pixels_capacity = 256, dilate.mask = mask.data(), dilate.mask_capacity = 64;
+  check<bdpt_lightmap_dilate_desc>("bdpt_lightmap_dilate_desc", 72, dilate,
+                                   [&](bdpt_lightmap_dilate_desc* d) { return bdpt_lightmap_dilate(d, nullptr); });
+  check<bdpt_lightmap_dilate_report>("bdpt_lightmap_dilate_report", 32, make<bdpt_lightmap_dilate_report>(),
+                                     [&](bdpt_lightmap_dilate_report* r) { return bdpt_lightmap_dilate(&dilate, r); });
+
+  const bdpt_lightmap_image image{pixels.data(), 256, nullptr, 0, 8, 8};
+  bdpt_lightmap_seams_desc seams = make<bdpt_lightmap_seams_desc>();
+  seams.instance_count = seams.image_count = seams.channels = 1;
+  seams.instances = &instance, seams.images = &image;
+  check<bdpt_lightmap_seams_desc>("bdpt_lightmap_seams_desc", 56, seams,
+                                  [&](bdpt_lightmap_seams_desc* d) { return bdpt_lightmap_fix_seams(d, nullptr); });
+  check<bdpt_lightmap_seams_report>("bdpt_lightmap_seams_report", 72, make<bdpt_lightmap_seams_report>(),
+                                    [&](bdpt_lightmap_seams_report* r) { return bdpt_lightmap_fix_seams(&seams, r); });
+
+  std::vector<uint16_t> encoded(64);
+  bdpt_lightmap_encode_desc encode = make<bdpt_lightmap_encode_desc>();
+  encode.channels = 1, encode.texels = 64;
+  encode.pixels = pixels.data(), encode.pixels_capacity = 256;
+  encode.encoded = encoded.data(), encode.encoded_capacity = 128;
+  check<bdpt_lightmap_encode_desc>("bdpt_lightmap_encode_desc", 80, encode,
+                                   [&](bdpt_lightmap_encode_desc* d) { return bdpt_lightmap_encode(d, nullptr); });
+  check<bdpt_lightmap_encode_report>("bdpt_lightmap_encode_report", 24, make<bdpt_lightmap_encode_report>(),
+                                     [&](bdpt_lightmap_encode_report* r) { return bdpt_lightmap_encode(&encode, r); });
 }
 
 TEST(ApiStructSize, AnOutputStructIsWrittenOnlyAsFarAsItReaches) {
