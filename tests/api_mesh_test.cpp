@@ -95,7 +95,7 @@ TEST(ApiMesh, WithoutIndicesEachThreeVerticesAreATriangle) {
   for (int i = 0; i < 6; ++i) std::memcpy(soup[i], s[i], sizeof soup[i]);
   bdpt_mesh_desc desc = square_desc();
   desc.positions = view(soup, 6, BDPT_FORMAT_FLOAT3);
-  desc.indices = bdpt_data{};
+  desc.indices = desc.uv[1] = bdpt_data{};
   EXPECT_EQ(picture(square_desc()).pixels, picture(desc).pixels);
   desc.positions.count = 5;
   const Context context = make_context();
