@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "pbrt/scene_reader.h"
-#include "pbrt/transform.h"
+#include "transform.h"
 #include "scene_upload.h"
 #include "temp_folder.h"
 

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gltf/schema.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "error.h"
+#include "gltf/schema_rules.h"
+
+namespace bdpt_tool::gltf {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kMaxDepth = 64;
+
+// Without "[json.exception.parse_error.101] parse error at line 1, column 2: " before it.
+std::string reason_of(const Json::exception& error) {
+  std::string text = error.what();
+  text.erase(0, text.find("] ") + 2);
+  if (text.starts_with("parse error at ")) text.erase(0, text.find(": ") + 2);
+  return text;
+}
+
+Json parse(const std::string& path, const Container& container) {
+  const std::string_view text = container.json;
+  const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
+    if (depth > kMaxDepth) throw Error(Location{path, 0}, "its JSON is nested more than 64 deep");
+    return true;
+  };
+  try {
+    return Json::parse(text.begin(), text.end(), check_depth);
+  } catch (const Json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const int line = container.is_glb ? 0 : 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+    throw Error(Location{path, line}, "not valid JSON: " + reason_of(error));
+  } catch (const Json::exception& error) {
+    throw Error(Location{path, 0}, "not valid JSON: " + reason_of(error));
+  }
+}
+
+const Json* member(const Json* value, std::string_view name) {
+  if (!value || !value->is_object()) return nullptr;
+  const auto found = value->find(name);
+  return found == value->end() ? nullptr : &*found;
+}
+
+std::string with_count(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+class Checker {
+ public:
+  Checker(const std::string& path, const Json& document) : path_(path), document_(document) {}
+
+  void check(const Rule& rule) const { visit(document_, rule, rule.path, ""); }
+
+  [[noreturn]] void fail(const std::string& property, const std::string& text) const {
+    throw Error(Location{path_, 0}, property + " " + text);
+  }
+
+ private:
+  // `rest` is what of the rule's path lies below `value`, which the document has under the name `at`.
+  void visit(const Json& value, const Rule& rule, std::string_view rest, const std::string& at) const {
+    if (!value.is_object()) fail(at, "must be an object, in braces");
+    const std::size_t dot = rest.find('.');
+    std::string_view name = rest.substr(0, dot);
+    const bool last = dot == std::string_view::npos;
+    const bool each = name.ends_with("[]");
+    if (each) name.remove_suffix(2);
+    if (name == "*") {
+      for (const auto& [key, element] : value.items()) require(element, rule, at + "." + key);
+      return;
+    }
+    const std::string property = at.empty() ? std::string(name) : at + "." + std::string(name);
+    const Json* found = member(&value, name);
+    if (!found) {
+      if (last && rule.required) fail(property, "is missing");
+      return;
+    }
+    if (last) {
+      require(*found, rule, property);
+    } else if (each) {
+      if (!found->is_array()) fail(property, "must be an array, in brackets");
+      std::size_t i = 0;
+      for (const Json& element : *found) {
+        visit(element, rule, rest.substr(dot + 1), property + "[" + std::to_string(i++) + "]");
+      }
+    } else {
+      visit(*found, rule, rest.substr(dot + 1), property);
+    }
+  }
+
+  void require(const Json& value, const Rule& rule, const std::string& at) const {
+    switch (rule.kind) {
+      case Kind::kObject:
+        if (!value.is_object()) fail(at, "must be an object, in braces");
+        break;
+      case Kind::kArray:
+        if (!value.is_array()) fail(at, "must be an array, in brackets");
+        break;
+      case Kind::kText:
+        if (!value.is_string()) fail(at, "must be a string, in quotes");
+        break;
+      case Kind::kTexts:
+        require_each(value, at, [&](const Json& element, const std::string& place) {
+          if (!element.is_string()) fail(place, "must be a string, in quotes");
+        });
+        break;
+      case Kind::kBoolean:
+        if (!value.is_boolean()) fail(at, "must be true or false");
+        break;
+      case Kind::kInteger:
+        if (!value.is_number_integer()) fail(at, "must be a whole number");
+        require_number(value, rule, at);
+        break;
+      case Kind::kNumber:
+        require_number(value, rule, at);
+        break;
+      case Kind::kNumbers:
+        if (rule.count > 0 && (!value.is_array() || value.size() != rule.count)) {
+          fail(at, "must be an array of " + with_count(rule.count, "number"));
+        }
+        require_each(value, at,
+                     [&](const Json& element, const std::string& place) { require_number(element, rule, place); });
+        break;
+      case Kind::kIndex:
+        require_index(value, rule, at);
+        break;
+      case Kind::kIndices:
+        require_each(value, at,
+                     [&](const Json& element, const std::string& place) { require_index(element, rule, place); });
+        break;
+    }
+  }
+
+  void require_each(const Json& value, const std::string& at,
+                    const std::function<void(const Json&, const std::string&)>& require_element) const {
+    if (!value.is_array()) fail(at, "must be an array, in brackets");
+    std::size_t i = 0;
+    for (const Json& element : value) require_element(element, at + "[" + std::to_string(i++) + "]");
+  }
+
+  void require_number(const Json& value, const Rule& rule, const std::string& at) const {
+    if (!value.is_number()) fail(at, "must be a number");
+    const auto x = value.get<double>();
+    if (!(x >= rule.low && x <= rule.high)) {
+      fail(at, "is " + value.dump() + ", and must be from " + Json(rule.low).dump() + " to " + Json(rule.high).dump());
+    }
+  }
+
+  void require_index(const Json& value, const Rule& rule, const std::string& at) const {
+    if (!value.is_number_integer()) fail(at, "must be an index, a whole number");
+    const Json* pointed = &document_;
+    for (std::string_view rest = rule.of; !rest.empty();) {
+      const std::size_t dot = rest.find('.');
+      pointed = member(pointed, rest.substr(0, dot));
+      rest = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
+    }
+    const std::size_t count = pointed && pointed->is_array() ? pointed->size() : 0;
+    if (value < 0 || value >= count) {
+      fail(at, "is " + value.dump() + ", and " + rule.of + " has " + with_count(count, "element"));
+    }
+  }
+
+  const std::string& path_;
+  const Json& document_;
+};
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string percent_decoded(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
+    const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
+    if (low < 0) {
+      text += uri[i];
+    } else {
+      text += static_cast<char>(16 * high + low);
+      i += 2;
+    }
+  }
+  return text;
+}
+
+const Json& elements(const Json& document, const char* name) {
+  static const Json none = Json::array();
+  const Json* found = member(&document, name);
+  return found ? *found : none;
+}
+
+std::size_t base64_size(std::string_view uri) {
+  std::string_view text = uri.substr(uri.find(',') + 1);
+  while (text.ends_with('=')) text.remove_suffix(1);
+  return text.size() * 3 / 4;
+}
+
+std::vector<ExternalBuffer> check_buffers(const Checker& checker, const std::string& path, const Container& container,
+                                          const Json& document) {
+  std::vector<ExternalBuffer> external;
+  std::size_t i = 0;
+  for (const Json& buffer : elements(document, "buffers")) {
+    const std::string at = "buffers[" + std::to_string(i++) + "]";
+    const Json* uri = member(&buffer, "uri");
+    if (!uri) {
+      if (i > 1 || !container.has_binary) checker.fail(at, "has neither a uri nor the binary data of a GLB");
+      continue;
+    }
+    const auto text = uri->get<std::string>();
+    const auto length = buffer["byteLength"].get<std::size_t>();
+    if (!text.starts_with("data:")) {
+      external.push_back({path_of_uri(path, text), length});
+    } else if (!text.starts_with("data:application/octet-stream;base64,") &&
+               !text.starts_with("data:application/gltf-buffer;base64,")) {
+      checker.fail(at + ".uri", "must begin with data:application/octet-stream;base64, or name a file");
+    } else if (base64_size(text) != length) {
+      checker.fail(at + ".uri",
+                   "holds " + with_count(base64_size(text), "byte") + ", and byteLength is " + std::to_string(length));
+    }
+  }
+  return external;
+}
+
+// tinygltf looks at no view's length before it hands out the data of an image.
+void check_views(const Checker& checker, const Json& document) {
+  std::size_t i = 0;
+  for (const Json& view : elements(document, "bufferViews")) {
+    const std::string at = "bufferViews[" + std::to_string(i++) + "]";
+    const auto length = document["buffers"][view["buffer"].get<std::size_t>()]["byteLength"].get<std::size_t>();
+    const auto end = view.value("byteOffset", std::size_t{0}) + view["byteLength"].get<std::size_t>();
+    if (end > length) {
+      checker.fail(at, "ends at byte " + std::to_string(end) + " of a buffer of " + std::to_string(length));
+    }
+  }
+}
+
+}  // namespace
+
+std::string path_of_uri(const std::string& path, const std::string& uri) {
+  return (std::filesystem::path(path).parent_path() / percent_decoded(uri)).string();
+}
+
+std::vector<ExternalBuffer> check_document(const std::string& path, const Container& container) {
+  const Json document = parse(path, container);
+  if (!document.is_object()) throw Error(Location{path, 0}, "its JSON must be an object, in braces");
+  const Checker checker(path, document);
+  for (std::size_t i = 0; i < kRuleCount; ++i) checker.check(kRules[i]);
+  check_views(checker, document);
+  return check_buffers(checker, path, container, document);
+}
+
+}  // namespace bdpt_tool::gltf
