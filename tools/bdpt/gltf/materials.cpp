@@ -49,7 +49,7 @@ MaterialDescription MaterialTable::convert(const Material& from, const std::stri
   if (from.transmission >= 0.5) {
     set_dielectric(from, where, to);
   } else if (from.metallic == 1 && !textured && !from.unlit) {
-    set_conductor(from, where, to);
+    set_conductor(from, to);
   } else {
     set_diffuse(from, where, to);
   }
@@ -60,7 +60,7 @@ MaterialDescription MaterialTable::convert(const Material& from, const std::stri
 }
 
 // The index with eta = 1 whose reflectance at normal incidence is the base colour.
-void MaterialTable::set_conductor(const Material& from, const std::string&, MaterialDescription& to) {
+void MaterialTable::set_conductor(const Material& from, MaterialDescription& to) {
   to.type = BDPT_MATERIAL_CONDUCTOR;
   for (std::size_t c = 0; c < 3; ++c) {
     const double r = std::min(from.base_color[c], kMaxReflectance);

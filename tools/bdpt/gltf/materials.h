@@ -23,7 +23,7 @@ class MaterialTable {
 
  private:
   MaterialDescription convert(const Material& from, const std::string& where);
-  void set_conductor(const Material& from, const std::string& where, MaterialDescription& to);
+  void set_conductor(const Material& from, MaterialDescription& to);
   void set_dielectric(const Material& from, const std::string& where, MaterialDescription& to);
   void set_diffuse(const Material& from, const std::string& where, MaterialDescription& to);
   void set_emission(const Material& from, const std::string& where, MaterialDescription& to);

@@ -152,7 +152,7 @@ class Reader {
         throw Error(where_, name(placed) + ": EXT_mesh_gpu_instancing has attributes of different lengths");
       }
     }
-    std::vector<Transform> copies(count);
+    std::vector<Transform> copies(std::max<std::size_t>(count, 1));
     for (std::size_t i = 0; i < count; ++i) {
       std::array<double, 3> translation = {0, 0, 0}, scale = {1, 1, 1};
       std::array<double, 4> rotation = {0, 0, 0, 1};

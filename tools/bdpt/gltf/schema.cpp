@@ -160,7 +160,7 @@ class Checker {
       rest = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
     }
     const std::size_t count = pointed && pointed->is_array() ? pointed->size() : 0;
-    if (value < 0 || value >= count) {
+    if (!value.is_number_unsigned() || value.get<std::size_t>() >= count) {
       fail(at, "is " + value.dump() + ", and " + rule.of + " has " + with_count(count, "element"));
     }
   }
