@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>  // for tinygltf, which forgets it
 #include <limits>
 #include <string_view>
 #include <utility>

@@ -2,6 +2,7 @@
 #include "gltf/schema.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -15,6 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kMaxDepth = 64;
+constexpr double kNoLimit = 1e9;  // what an upper limit above it says is of no help
 
 // Without "[json.exception.parse_error.101] parse error at line 1, column 2: " before it.
 std::string reason_of(const Json::exception& error) {
@@ -49,6 +51,18 @@ const Json* member(const Json* value, std::string_view name) {
 
 std::string with_count(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string short_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+std::string range_of(const Rule& rule) {
+  if (rule.low == -FLT_MAX) return "a number that a 32-bit float can hold";
+  if (rule.high >= kNoLimit) return short_number(rule.low) + " or more";
+  return "from " + short_number(rule.low) + " to " + short_number(rule.high);
 }
 
 class Checker {
@@ -146,9 +160,7 @@ class Checker {
   void require_number(const Json& value, const Rule& rule, const std::string& at) const {
     if (!value.is_number()) fail(at, "must be a number");
     const auto x = value.get<double>();
-    if (!(x >= rule.low && x <= rule.high)) {
-      fail(at, "is " + value.dump() + ", and must be from " + Json(rule.low).dump() + " to " + Json(rule.high).dump());
-    }
+    if (!(x >= rule.low && x <= rule.high)) fail(at, "is " + value.dump() + ", and must be " + range_of(rule));
   }
 
   void require_index(const Json& value, const Rule& rule, const std::string& at) const {
