@@ -538,6 +538,7 @@ TEST_F(ToolGltf, ThePerspectiveCameraKeepsItsVerticalAngleForEveryShapeOfImage) 
     EXPECT_NEAR(camera_desc(scene, width, 100, diagnostics_).field_of_view, 60, 1e-4);
   }
   expect_near(transformed(scene.camera.transform, {0, 0, -1}, 1), {1, 2, 2});
+  expect_near(transformed(scene.camera.transform, {1, 0, 0}, 0), {1, 0, 0});
   EXPECT_EQ(notes_with("camera"), 0u) << notes();
 }
 
@@ -559,6 +560,7 @@ TEST_F(ToolGltf, WithoutACameraAllIsInThePicture) {
     const bdpt_camera_desc camera = camera_desc(scene, width, 100, diagnostics_);
     Transform to_world;
     for (int i = 0; i < 12; ++i) to_world.m[i / 4][i % 4] = camera.transform[i];
+    EXPECT_NEAR(to_world.determinant(), 1, 1e-5);  // not mirrored
     const double tangent = std::tan(camera.field_of_view * M_PI / 360);
     for (const InstanceDescription& instance : scene.instances) {
       for (std::size_t v = 0; v < 9; v += 3) {
@@ -762,7 +764,7 @@ TEST_F(ToolGltf, GlbFilesHoldOneJsonAndOneBinaryChunk) {
     return std::string("no error");
   };
   EXPECT_EQ(mesh(read(good)).positions, kCorners);
-  EXPECT_EQ(error("{}"), "scene.glb: damaged GLB: 2 bytes are too few for a header");
+  EXPECT_EQ(error("{}"), "scene.glb: damaged GLB: its 2 bytes hold no header");
   expect_contains(error(std::string(20, 'x')), "it does not begin with 'glTF'");
   expect_contains(error(good + "x"), "its header tells of");
   expect_contains(error(glb(text, "")), "buffers[0] has neither a uri nor the binary data of a GLB");

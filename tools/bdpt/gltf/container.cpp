@@ -50,7 +50,7 @@ class Glb {
   [[noreturn]] void fail(const std::string& text) const { throw Error(Location{path_, 0}, "damaged GLB: " + text); }
 
   void check_header() const {
-    if (data_.size() < kHeaderSize) fail(bytes(data_.size()) + " are too few for a header");
+    if (data_.size() < kHeaderSize) fail("its " + bytes(data_.size()) + " hold no header");
     if (!data_.starts_with("glTF")) fail("it does not begin with 'glTF'");
     const std::uint32_t version = word(data_, 4), length = word(data_, 8);
     if (version != 2) {

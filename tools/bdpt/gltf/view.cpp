@@ -68,10 +68,17 @@ CameraDescription framing_camera(const SceneDescription& scene) {
     half[i] = (bounds.high[i] - bounds.low[i]) / 2;
   }
   const double distance = length(half) / std::sin(kFieldOfView * std::numbers::pi / 360);
-  const Vec3 z = normalized(kTowardsCamera);
-  const Vec3 eye = {center[0] + distance * z[0], center[1] + distance * z[1], center[2] + distance * z[2]};
-  // look_at's camera looks along +z, the library's along -z.
-  camera.transform = (look_at(eye, center, {0, 1, 0}).inverse() * scaling(1, 1, -1)).rows();
+  const Vec3 z = normalized(kTowardsCamera);  // the camera looks along its own -z
+  const Vec3 x = normalized(cross({0, 1, 0}, z));
+  const Vec3 y = cross(z, x);
+  Transform to_world;
+  for (std::size_t i = 0; i < 3; ++i) {
+    to_world.m[i][0] = x[i];
+    to_world.m[i][1] = y[i];
+    to_world.m[i][2] = z[i];
+    to_world.m[i][3] = center[i] + distance * z[i];
+  }
+  camera.transform = to_world.rows();
   return camera;
 }
 
