@@ -737,13 +737,14 @@ TEST_F(ToolGltf, WhatIsNotJsonIsAnErrorWithItsLine) {
   expect_contains(error("[]"), "its JSON must be an object");
   expect_contains(error("{\"a\":1e999}"), "not valid JSON: number overflow");
   expect_contains(error("{}"), "asset is missing");
+  expect_contains(error("{\"asset\":{\"version\":\"1.0\"},\"buffers\":{}}"), "asset.version is 1.0");
   expect_contains(error("{\"asset\":{\"version\":\"1.0\"}}"), "asset.version is 1.0, and this program reads glTF 2.0");
   expect_contains(error("{\"asset\":{\"version\":\"2.0\",\"minVersion\":\"2.1\"}}"), "is at least 2.1");
   expect_contains(
       error("{\"asset\":{\"version\":\"2.0\"},\"extras\":" + std::string(100000, '[') + std::string(100000, ']') + "}"),
       "nested more than 64 deep");
   expect_contains(error("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]}"),
-                  "it requires the extension KHR_draco_mesh_compression");
+                  "extensionsRequired names KHR_draco_mesh_compression, which is not known");
 }
 
 TEST_F(ToolGltf, GlbFilesHoldOneJsonAndOneBinaryChunk) {

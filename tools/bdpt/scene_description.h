@@ -58,7 +58,7 @@ struct InstanceDescription {
   int material = 0;
   std::array<float, 12> transform = {};
   Location where;
-  std::string label;  // empty = the shape's
+  std::string label;  // by which it is named in errors and on the command line
 };
 
 struct LightDescription {

@@ -122,7 +122,7 @@ class Uploader {
   void add(const InstanceDescription& instance) {
     const auto shape = static_cast<std::size_t>(instance.shape);
     auto desc = sized<bdpt_instance_desc>();
-    desc.label = (instance.label.empty() ? description_.shapes[shape].label : instance.label).c_str();
+    desc.label = instance.label.c_str();
     desc.shape = shapes_[shape];
     desc.material = materials_[static_cast<std::size_t>(instance.material)];
     std::copy_n(instance.transform.data(), 12, desc.transform);

@@ -33,10 +33,6 @@ namespace {
 // An accessor without data is all zero, and costs its file nothing.
 constexpr std::size_t kMaxZeroElements = std::size_t{1} << 26;
 
-// What a file may require: what is read, and materials, which are told of when they are only come near to.
-constexpr const char* kKnown[] = {"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
-                                  "EXT_mesh_gpu_instancing"};
-
 // The buffers in files of their own, in the order in which tinygltf asks for them.
 struct Supply {
   std::vector<ExternalBuffer> buffers;
@@ -116,8 +112,6 @@ class Converter {
   Converter(const std::string& path, tinygltf::Model&& model) : where_{path, 0}, model_(std::move(model)) {}
 
   Document convert() {
-    check_version();
-    check_extensions();
     convert_data();
     for (const tinygltf::Material& material : model_.materials) document_.materials.push_back(converted(material));
     for (const tinygltf::Texture& texture : model_.textures) document_.textures.push_back(converted(texture));
@@ -126,33 +120,13 @@ class Converter {
     for (const tinygltf::Light& light : model_.lights) document_.lights.push_back(converted(light));
     for (const tinygltf::Node& node : model_.nodes) document_.nodes.push_back(converted(node));
     choose_scene();
+    document_.extensions = model_.extensionsUsed;
     document_.has_animations = !model_.animations.empty();
     return std::move(document_);
   }
 
  private:
   [[noreturn]] void fail(const std::string& at, const std::string& text) const { throw Error(where_, at + " " + text); }
-
-  void check_version() const {
-    const std::string& version = model_.asset.version;
-    const std::string& least = model_.asset.minVersion;
-    if (!version.starts_with("2.") || (!least.empty() && least != "2.0")) {
-      fail("asset.version", "is " + (least.empty() ? version : "at least " + least) +
-                                ", and this program reads glTF 2.0; export it anew");
-    }
-  }
-
-  void check_extensions() {
-    for (const std::string& name : model_.extensionsRequired) {
-      const bool known = name.starts_with("KHR_materials_") ||
-                         std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
-      if (!known) {
-        throw Error(where_,
-                    "it requires the extension " + name + ", which this program does not know; export it without");
-      }
-    }
-    document_.extensions = model_.extensionsUsed;
-  }
 
   void convert_data() {
     for (tinygltf::Buffer& buffer : model_.buffers) document_.storage.push_back(std::move(buffer.data));

@@ -16,6 +16,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kMaxDepth = 64;
+// What a file may require: what is read, and materials, which are told of where they are only come near to.
+constexpr const char* kKnown[] = {"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
+                                  "EXT_mesh_gpu_instancing"};
 constexpr double kNoLimit = 1e9;  // what an upper limit above it says is of no help
 
 // Without "[json.exception.parse_error.101] parse error at line 1, column 2: " before it.
@@ -209,6 +212,23 @@ const Json& elements(const Json& document, const char* name) {
   return found ? *found : none;
 }
 
+void check_version(const Checker& checker, const Json& document) {
+  const Json& asset = document["asset"];
+  const auto version = asset["version"].get<std::string>(), least = asset.value("minVersion", std::string("2.0"));
+  if (version.starts_with("2.") && least == "2.0") return;
+  checker.fail("asset.version", "is " + (least == "2.0" ? version : "at least " + least) +
+                                    ", and this program reads glTF 2.0; export it anew");
+}
+
+void check_extensions(const Checker& checker, const Json& document) {
+  for (const Json& required : elements(document, "extensionsRequired")) {
+    const auto name = required.get<std::string>();
+    const bool known =
+        name.starts_with("KHR_materials_") || std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
+    if (!known) checker.fail("extensionsRequired", "names " + name + ", which is not known here; export without it");
+  }
+}
+
 std::size_t base64_size(std::string_view uri) {
   std::string_view text = uri.substr(uri.find(',') + 1);
   while (text.ends_with('=')) text.remove_suffix(1);
@@ -228,6 +248,7 @@ std::vector<ExternalBuffer> check_buffers(const Checker& checker, const std::str
     }
     const auto text = uri->get<std::string>();
     const auto length = buffer["byteLength"].get<std::size_t>();
+    if (text.empty()) checker.fail(at + ".uri", "is empty");
     if (!text.starts_with("data:")) {
       external.push_back({path_of_uri(path, text), length});
     } else if (!text.starts_with("data:application/octet-stream;base64,") &&
@@ -264,7 +285,10 @@ std::vector<ExternalBuffer> check_document(const std::string& path, const Contai
   const Json document = parse(path, container);
   if (!document.is_object()) throw Error(Location{path, 0}, "its JSON must be an object, in braces");
   const Checker checker(path, document);
-  for (std::size_t i = 0; i < kRuleCount; ++i) checker.check(kRules[i]);
+  for (const Rule& rule : kHeaderRules) checker.check(rule);
+  check_version(checker, document);
+  check_extensions(checker, document);
+  for (const Rule& rule : kRules) checker.check(rule);
   check_views(checker, document);
   return check_buffers(checker, path, container, document);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf/schema_rules.h"
 
-#include <iterator>
 #include <numbers>
 
 namespace bdpt_tool::gltf {
@@ -33,16 +32,12 @@ constexpr Rule indices(const char* path, const char* of, bool required = false) 
   return {path, Kind::kIndices, required, of};
 }
 
-}  // namespace
+constexpr Rule kHeader[] = {
+    object("asset", kRequired), text("asset.version", kRequired), text("asset.minVersion"),
+    texts("extensionsUsed"),    texts("extensionsRequired"),      object("extensions"),
+};
 
-const Rule kRules[] = {
-    object("asset", kRequired),
-    text("asset.version", kRequired),
-    text("asset.minVersion"),
-    texts("extensionsUsed"),
-    texts("extensionsRequired"),
-    object("extensions"),
-
+constexpr Rule kBody[] = {
     text("buffers[].uri"),
     integer("buffers[].byteLength", 1, kMaxBytes, kRequired),
     index("bufferViews[].buffer", "buffers", kRequired),
@@ -146,6 +141,10 @@ const Rule kRules[] = {
     array("animations"),
     array("skins"),
 };
-const std::size_t kRuleCount = std::size(kRules);
+
+}  // namespace
+
+constinit const std::span<const Rule> kHeaderRules = kHeader;
+constinit const std::span<const Rule> kRules = kBody;
 
 }  // namespace bdpt_tool::gltf

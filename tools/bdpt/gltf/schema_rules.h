@@ -5,6 +5,7 @@
 
 #include <cfloat>
 #include <cstddef>
+#include <span>
 
 namespace bdpt_tool::gltf {
 
@@ -19,7 +20,7 @@ struct Rule {
   double low = -FLT_MAX, high = FLT_MAX;  // kInteger, kNumber, kNumbers
 };
 
-extern const Rule kRules[];
-extern const std::size_t kRuleCount;
+// Of what says whether the rest can be understood, and of the rest.
+extern const std::span<const Rule> kHeaderRules, kRules;
 
 }  // namespace bdpt_tool::gltf
