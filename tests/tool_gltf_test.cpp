@@ -747,6 +747,13 @@ TEST_F(ToolGltf, WhatIsNotJsonIsAnErrorWithItsLine) {
                   "extensionsRequired names KHR_draco_mesh_compression, which is not known");
 }
 
+TEST_F(ToolGltf, BracketsInStringsAreNoDepth) {
+  const std::string mesh_text = mesh_of(triangle());
+  const std::string name = R"(\"\\)" + std::string(100, '[');
+  EXPECT_EQ(read_nodes("{\"mesh\":0,\"name\":\"" + name + "\"}", mesh_text).instances.at(0).label,
+            "\"\\" + std::string(100, '['));
+}
+
 TEST_F(ToolGltf, GlbFilesHoldOneJsonAndOneBinaryChunk) {
   const std::string mesh_text = mesh_of(triangle());
   const std::string text = "{\"asset\":{\"version\":\"2.0\"},\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]," +

@@ -29,14 +29,30 @@ std::string reason_of(const Json::exception& error) {
   return text;
 }
 
+// tinygltf follows extensions and extras by recursion.
+bool is_deep(std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '[' || c == '{')) {
+      if (++depth > kMaxDepth) return true;
+    } else if (!in_string && (c == ']' || c == '}')) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 Json parse(const std::string& path, const Container& container) {
   const std::string_view text = container.json;
-  const auto check_depth = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kMaxDepth) throw Error(Location{path, 0}, "its JSON is nested more than 64 deep");
-    return true;
-  };
+  if (is_deep(text)) throw Error(Location{path, 0}, "its JSON is nested more than 64 deep");
   try {
-    return Json::parse(text.begin(), text.end(), check_depth);
+    return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     const int line = container.is_glb ? 0 : 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
