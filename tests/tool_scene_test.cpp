@@ -83,6 +83,10 @@ TEST_F(ToolScene, AttributeBlocksRestoreEverythingTransformBlocksTheTransform) {
   EXPECT_EQ(scene.materials[0].type, BDPT_MATERIAL_DIELECTRIC);
 }
 
+TEST_F(ToolScene, InstancesAreNamedAfterTheirShapes) {
+  EXPECT_EQ(read_world(kTriangle).instances[0].label, "trianglemesh at scene.pbrt:3");
+}
+
 TEST_F(ToolScene, LookAtPutsTheTargetInFrontOfTheCameraWithoutMirroring) {
   const SceneDescription scene =
       read("LookAt 1 2 3  1 2 8  0 1 0\nCamera \"perspective\"\nWorldBegin\n" + std::string(kTriangle));

@@ -2,24 +2,18 @@
 #include "gltf/schema.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
-#include <functional>
-#include <nlohmann/json.hpp>
 
 #include "error.h"
-#include "gltf/schema_rules.h"
+#include "gltf/schema_checker.h"
 
 namespace bdpt_tool::gltf {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int kMaxDepth = 64;
 // What a file may require: what is read, and materials, which are told of where they are only come near to.
 constexpr const char* kKnown[] = {"KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform",
                                   "EXT_mesh_gpu_instancing"};
-constexpr double kNoLimit = 1e9;  // what an upper limit above it says is of no help
 
 // Without "[json.exception.parse_error.101] parse error at line 1, column 2: " before it.
 std::string reason_of(const Json::exception& error) {
@@ -61,144 +55,6 @@ Json parse(const std::string& path, const Container& container) {
     throw Error(Location{path, 0}, "not valid JSON: " + reason_of(error));
   }
 }
-
-const Json* member(const Json* value, std::string_view name) {
-  if (!value || !value->is_object()) return nullptr;
-  const auto found = value->find(name);
-  return found == value->end() ? nullptr : &*found;
-}
-
-std::string with_count(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
-std::string range_of(const Rule& rule) {
-  if (rule.low == -FLT_MAX) return "a number that a 32-bit float can hold";
-  if (rule.high >= kNoLimit) return short_number(rule.low) + " or more";
-  return "from " + short_number(rule.low) + " to " + short_number(rule.high);
-}
-
-class Checker {
- public:
-  Checker(const std::string& path, const Json& document) : path_(path), document_(document) {}
-
-  void check(const Rule& rule) const { visit(document_, rule, rule.path, ""); }
-
-  [[noreturn]] void fail(const std::string& property, const std::string& text) const {
-    throw Error(Location{path_, 0}, property + " " + text);
-  }
-
- private:
-  // `rest` is what of the rule's path lies below `value`, which the document has under the name `at`.
-  void visit(const Json& value, const Rule& rule, std::string_view rest, const std::string& at) const {
-    if (!value.is_object()) fail(at, "must be an object, in braces");
-    const std::size_t dot = rest.find('.');
-    std::string_view name = rest.substr(0, dot);
-    const bool last = dot == std::string_view::npos;
-    const bool each = name.ends_with("[]");
-    if (each) name.remove_suffix(2);
-    if (name == "*") {
-      for (const auto& [key, element] : value.items()) require(element, rule, at + "." + key);
-      return;
-    }
-    const std::string property = at.empty() ? std::string(name) : at + "." + std::string(name);
-    const Json* found = member(&value, name);
-    if (!found) {
-      if (last && rule.required) fail(property, "is missing");
-      return;
-    }
-    if (last) {
-      require(*found, rule, property);
-    } else if (each) {
-      if (!found->is_array()) fail(property, "must be an array, in brackets");
-      std::size_t i = 0;
-      for (const Json& element : *found) {
-        visit(element, rule, rest.substr(dot + 1), property + "[" + std::to_string(i++) + "]");
-      }
-    } else {
-      visit(*found, rule, rest.substr(dot + 1), property);
-    }
-  }
-
-  void require(const Json& value, const Rule& rule, const std::string& at) const {
-    switch (rule.kind) {
-      case Kind::kObject:
-        if (!value.is_object()) fail(at, "must be an object, in braces");
-        break;
-      case Kind::kArray:
-        if (!value.is_array()) fail(at, "must be an array, in brackets");
-        break;
-      case Kind::kText:
-        if (!value.is_string()) fail(at, "must be a string, in quotes");
-        break;
-      case Kind::kTexts:
-        require_each(value, at, [&](const Json& element, const std::string& place) {
-          if (!element.is_string()) fail(place, "must be a string, in quotes");
-        });
-        break;
-      case Kind::kBoolean:
-        if (!value.is_boolean()) fail(at, "must be true or false");
-        break;
-      case Kind::kInteger:
-        if (!value.is_number_integer()) fail(at, "must be a whole number");
-        require_number(value, rule, at);
-        break;
-      case Kind::kNumber:
-        require_number(value, rule, at);
-        break;
-      case Kind::kNumbers:
-        if (rule.count > 0 && (!value.is_array() || value.size() != rule.count)) {
-          fail(at, "must be an array of " + with_count(rule.count, "number"));
-        }
-        require_each(value, at,
-                     [&](const Json& element, const std::string& place) { require_number(element, rule, place); });
-        break;
-      case Kind::kIndex:
-        require_index(value, rule, at);
-        break;
-      case Kind::kIndices:
-        require_each(value, at,
-                     [&](const Json& element, const std::string& place) { require_index(element, rule, place); });
-        break;
-    }
-  }
-
-  void require_each(const Json& value, const std::string& at,
-                    const std::function<void(const Json&, const std::string&)>& require_element) const {
-    if (!value.is_array()) fail(at, "must be an array, in brackets");
-    std::size_t i = 0;
-    for (const Json& element : value) require_element(element, at + "[" + std::to_string(i++) + "]");
-  }
-
-  void require_number(const Json& value, const Rule& rule, const std::string& at) const {
-    if (!value.is_number()) fail(at, "must be a number");
-    const auto x = value.get<double>();
-    if (!(x >= rule.low && x <= rule.high)) fail(at, "is " + value.dump() + ", and must be " + range_of(rule));
-  }
-
-  void require_index(const Json& value, const Rule& rule, const std::string& at) const {
-    if (!value.is_number_integer()) fail(at, "must be an index, a whole number");
-    const Json* pointed = &document_;
-    for (std::string_view rest = rule.of; !rest.empty();) {
-      const std::size_t dot = rest.find('.');
-      pointed = member(pointed, rest.substr(0, dot));
-      rest = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
-    }
-    const std::size_t count = pointed && pointed->is_array() ? pointed->size() : 0;
-    if (!value.is_number_unsigned() || value.get<std::size_t>() >= count) {
-      fail(at, "is " + value.dump() + ", and " + rule.of + " has " + with_count(count, "element"));
-    }
-  }
-
-  const std::string& path_;
-  const Json& document_;
-};
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
