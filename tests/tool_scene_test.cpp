@@ -8,9 +8,9 @@
 #include <fstream>
 
 #include "pbrt/scene_reader.h"
-#include "transform.h"
 #include "scene_upload.h"
 #include "temp_folder.h"
+#include "transform.h"
 
 namespace bdpt_tool {
 namespace {
