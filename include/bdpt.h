@@ -4,7 +4,7 @@
  *
  * How it goes together
  *   context ─▶ builder ─▶ scene ─┐
- *                     camera ────┼─▶ render ─▶ advance, advance, ... ─▶ film ─▶ read, save, write
+ *                     sensor ────┼─▶ render ─▶ advance, advance, ... ─▶ film ─▶ read, save, write
  *                       film ────┘
  *   A builder collects shapes, textures, materials, lights and instances and builds an immutable scene. A sensor says
  *   what is measured, a film holds the measurements, a render joins the three and samples them, pass by pass. One pass
@@ -261,7 +261,8 @@ typedef int32_t bdpt_ownership;
 
 /* A strided array. It never changes its size. release, if not NULL, is called exactly once for every view of a
  * call that was given one, whatever the call's result and the view's ownership: during the call if the data is
- * copied or the call fails, else on the thread that drops the last builder or scene that needs it. */
+ * copied or the call fails, else on the thread that drops the last builder or scene that needs it. Calls that only look
+ * at a mesh (bdpt_uv_instance) never call it. */
 typedef struct bdpt_data {
   const void *data;         /* aligned to 4 bytes (2 for UINT16X3) */
   uint64_t count;           /* elements: vertices, or triangles for indices; 0 = absent */
@@ -354,7 +355,7 @@ typedef struct bdpt_material_desc {
   float roughness[2];                  /* GGX alpha along u and v, [0,1]; both 0 = smooth; one 0 is an error */
   float emission[3];                   /* radiance emitted by the front [W/(m² sr)], >= 0: an instance is a light */
   uint32_t emission_two_sided;         /* 1: the back emits too */
-  uint32_t reserved;
+  uint32_t emission_group;             /* the light's group, [0,63]; see bdpt_light_desc */
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.
@@ -388,6 +389,8 @@ typedef struct bdpt_light_desc {
   float cone_angle;       /* spot: from axis to the dark, (0,180) degrees */
   float cone_falloff;     /* spot: width of the edge inside it, [0, cone_angle] degrees: the intensity is
                              t²(3 - 2t) with t = (cos θ - cos a) / (cos(a - f) - cos a) */
+  uint32_t group;         /* a number of your own, [0,63]: outputs of sensors may ask for some groups' light alone */
+  uint32_t reserved;
 } bdpt_light_desc;
 
 /* Adds a light.
@@ -486,6 +489,197 @@ typedef struct bdpt_camera_desc {
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_camera_create(bdpt_context *context, const bdpt_camera_desc *desc, bdpt_sensor **sensor);
+/* --- Sensors that are no cameras: what arrives at surfaces and points ---
+ * A measurement is a texel or a point; it has one or more outputs, all sampled at once; an output is one or more planes
+ * of the film, of three colours each. Every plan but mmlt and automatic measures them, t = 0 on surfaces included.
+ * Directions are world directions, away from the point measured; n is the normal of the side that receives. */
+
+typedef int32_t bdpt_output_kind;
+#define BDPT_OUTPUT_IRRADIANCE 0         /* 1 plane: E = INT L max(0, w·n) dw [W/m²] */
+#define BDPT_OUTPUT_IRRADIANCE_OVER_PI 1 /* 1 plane: E / pi, what a diffuse surface of albedo 1 would emit */
+#define BDPT_OUTPUT_RADIANCE_SH1 2       /* 4 planes: c_lm = INT L Y_lm(w) dw for l <= 1, over the hemisphere of n (all
+                                            directions, for points without normal) */
+#define BDPT_OUTPUT_RADIANCE_SH2 3       /* 9 planes: l <= 2 */
+#define BDPT_OUTPUT_IRRADIANCE_SH1 4     /* 4 planes: c_lm times pi, 2 pi / 3 for l = 0, 1: the irradiance of a surface
+                                            with normal m is about SUM of these times Y_lm(m) */
+#define BDPT_OUTPUT_IRRADIANCE_SH2 5     /* 9 planes: and times pi / 4 for l = 2 */
+#define BDPT_OUTPUT_FLUENCE 6            /* 1 plane: INT L dw [W/m²] */
+/* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
+ * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
+ * 0.546274 (x² - y²). */
+
+typedef int32_t bdpt_light_paths;
+#define BDPT_LIGHT_PATHS_ALL 0
+#define BDPT_LIGHT_PATHS_DIRECT 1   /* light that comes straight from where it is emitted */
+#define BDPT_LIGHT_PATHS_INDIRECT 2 /* all other */
+
+typedef struct bdpt_output_desc {
+  uint32_t struct_size;
+  bdpt_output_kind kind;
+  bdpt_light_paths paths;
+  uint32_t reserved;
+  uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
+} bdpt_output_desc;
+
+/* An instance and its place in an atlas. */
+typedef struct bdpt_lightmap_instance {
+  uint32_t struct_size;
+  uint32_t atlas;            /* below atlas_count */
+  bdpt_instance_id instance; /* of the builder that built the scene; a mesh that has the uv set */
+  uint32_t uv_set;           /* 0 = set 1; 1 = set 0 */
+  uint32_t flip;             /* 1: the back receives, not the front */
+  float scale[2], offset[2]; /* uv of the atlas = uv * scale + offset; scale (0,0) = (1,1). [0,1]² is the atlas, v = 1
+                                its top row */
+} bdpt_lightmap_instance;
+
+typedef struct bdpt_lightmap_desc {
+  uint32_t struct_size;
+  uint32_t width, height;    /* texels of an atlas, 1 to 65536 */
+  uint32_t atlas_count;      /* 0 = 1; the film has atlas a in rows a * height to (a + 1) * height, at most 65536 rows */
+  uint32_t instance_count;   /* at least 1; each instance once */
+  uint32_t instance_stride;  /* bytes from one to the next; 0 = sizeof(bdpt_lightmap_instance) */
+  const bdpt_lightmap_instance *instances;
+  uint32_t output_count;     /* 0 = irradiance alone */
+  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  const bdpt_output_desc *outputs;
+  uint32_t rect[4];          /* x0, y0, x1, y1 in the film: only these texels are baked; four zeros = all. A plan without
+                                light subpaths gives them the bits of the whole bake; with light subpaths, of which a
+                                pass has one for each texel, the same measurements but other noise */
+  uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
+  uint32_t reserved;
+} bdpt_lightmap_desc;
+
+/* Creates a lightmap. A texel measures the mean over all of the surface that it covers, by area: E_j = 1/A_j INT E dA, so
+ * that the sum of A_j E_j (with geometric normals) is the light that falls on the surface, to the last ray. Where several
+ * surfaces share a texel the mean is over all of them. Triangles without area in the atlas, and what lies outside of it,
+ * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel covered),
+ * _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
+ * Source: Veach (1997), 10.6; the measurement functions are those of docs/baking.md. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_create(bdpt_scene *scene, const bdpt_lightmap_desc *desc, bdpt_sensor **sensor);
+
+typedef struct bdpt_lightmap_info {
+  uint32_t struct_size;
+  uint32_t width, height;      /* of the film: of all atlases together */
+  uint32_t reserved;
+  uint64_t texels;             /* that cover some surface: samples of a pass */
+  uint64_t texels_shared;      /* of these, by more than one instance */
+  uint64_t triangles_unmapped; /* without area in the atlas */
+  uint64_t triangles_outside;  /* that reach out of the atlas */
+  double area;                 /* of the surface measured, in the world */
+  double area_outside;         /* of what lies outside of the atlas */
+} bdpt_lightmap_info;
+
+/* Tells what a lightmap covers.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind). Threads: any thread. Callbacks: allowed.
+ * Ownership: copies into *info. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_get_info(const bdpt_sensor *sensor, bdpt_lightmap_info *info);
+
+/* Reads, for each texel in rows, the part of it that its surfaces cover, by area in the atlas (above 1 where they overlap;
+ * 0 where nothing is measured), and the area of these surfaces in the world. Either may be NULL; capacity, in floats, is
+ * that of each.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sensor, float *coverage, float *area, uint64_t capacity);
+
+typedef struct bdpt_point {
+  float position[3];
+  float normal[3]; /* of any length: light from its side counts; zero: light from everywhere does */
+  float radius;    /* with a normal: the mean over a disk of this radius across it; 0 = the point itself */
+  uint32_t reserved;
+} bdpt_point;
+
+typedef struct bdpt_points_desc {
+  uint32_t struct_size;
+  uint32_t output_count;     /* 0 = irradiance if the first point has a normal, else fluence */
+  uint64_t count;            /* of points, [1, 2^32) */
+  uint64_t point_stride;     /* bytes; 0 = sizeof(bdpt_point) */
+  const bdpt_point *points;
+  const bdpt_output_desc *outputs; /* irradiance of points without normal is an error */
+  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  float offset;              /* points with a normal may lie on surfaces: their rays start so far off, along the normal;
+                                0 = 16 ulps of the largest coordinate of all points, which is enough unless a triangle
+                                there is larger than that */
+} bdpt_points_desc;
+
+/* Creates a sensor of points in space. The film has them in rows, in order: a packed read of it begins with the points,
+ * one after another. Light subpaths do not hit points or disks by chance: t = 0 is left out.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: copies; the caller gets one reference. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const bdpt_points_desc *desc, bdpt_sensor **sensor);
+
+/* --- Measurements of your own ---
+ * Measurement j, plane c, is I = INT INT W(x) R_c(x,w) L(x,w) dw' dA: x in space or on a surface, w away from it, dw' the
+ * projected solid angle with the normal at x (the solid angle where there is none), L the light that arrives at x from w.
+ * start samples x and w, density tells how, respond is R, and land says where light subpaths count that land on a surface
+ * (t = 0). What is left NULL leaves just those techniques out that need it: land t = 0, density t = 1 and t = 0.
+ * The functions are called from all threads that render, at the same time, each with n >= 1 at once. They must be pure:
+ * their results depend on nothing but their arguments. They return 0; any other value stops the call, which returns
+ * BDPT_ERROR_CALLBACK_FAILED, and the pass in hand is lost. What is not finite, a density that is not above 0, or a
+ * direction that is not unit or points away from its normal, is counted in bdpt_render_stats.rejected and left out. */
+
+/* Where a measurement begins. */
+typedef struct bdpt_measurement_start {
+  float position[3];
+  float normal[3];         /* unit; zero for a point in space */
+  float direction[3];      /* unit, on the normal's side */
+  float weight;            /* W(position) / density_position; any sign */
+  float density_position;  /* per area; 1 for a fixed point */
+  float density_direction; /* per projected solid angle, or solid angle without normal: what density tells of it */
+  float offset;            /* rays start so far off, along the normal; on a surface, more than rounding */
+  uint32_t reserved;
+} bdpt_measurement_start;
+
+/* A point of a measurement and a direction there. */
+typedef struct bdpt_measurement_place {
+  uint64_t measurement;
+  float position[3];
+  float normal[3];
+  float direction[3]; /* unit: where light comes from; on the normal's side */
+  uint32_t reserved;
+} bdpt_measurement_place;
+
+/* Light that lands on a surface of the scene. */
+typedef struct bdpt_measurement_landing {
+  bdpt_instance_id instance;
+  uint32_t triangle;  /* of the mesh, without those that have no area; 0 for a sphere */
+  float u, v;         /* barycentric coordinates of its second and third vertex */
+  float position[3];
+  float normal[3];    /* geometric, of the front */
+  float direction[3]; /* unit: where the light comes from */
+} bdpt_measurement_landing;
+
+/* What it counts for. */
+typedef struct bdpt_measurement_landed {
+  uint64_t measurement;   /* BDPT_NO_MEASUREMENT: for none */
+  float normal[3];        /* that start would have given there */
+  float weight;           /* W(position) */
+  float density_position; /* that start would have had for it */
+  uint32_t reserved;
+} bdpt_measurement_landed;
+#define BDPT_NO_MEASUREMENT UINT64_MAX
+
+typedef struct bdpt_custom_desc {
+  uint32_t struct_size;
+  uint32_t planes;       /* [1,1024]; 0 = 1 */
+  uint64_t measurements; /* [1, 2^32) */
+  uint64_t hash;         /* of all that your functions decide: films of other hashes do not merge */
+  int32_t (*start)(void *user, uint32_t n, const uint64_t *measurements, const float (*numbers)[4],
+                   bdpt_measurement_start *starts); /* numbers: 4 uniform ones in [0,1) for each; starts are zero */
+  int32_t (*density)(void *user, uint32_t n, const bdpt_measurement_place *places, float *densities); /* may be NULL */
+  int32_t (*respond)(void *user, uint32_t n, const bdpt_measurement_place *places, float *responses);
+      /* n x planes numbers, any sign; NULL: 1 in all planes */
+  int32_t (*land)(void *user, uint32_t n, const bdpt_measurement_landing *landings, bdpt_measurement_landed *landed);
+      /* may be NULL; landed is zero */
+  void *user;
+  void (*drop)(void *user); /* called once when the sensor is gone, and when this call fails; may be NULL */
+} bdpt_custom_desc;
+
+/* Creates a sensor from functions. The film has measurements in rows, in order, as for bdpt_points_create.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: copies desc; the caller gets one reference. Source: Veach (1997), 10.6. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_custom_create(bdpt_context *context, const bdpt_custom_desc *desc, bdpt_sensor **sensor);
+
 /* Adds a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: +1; NULL is ignored. */
 BDPT_API void bdpt_sensor_retain(bdpt_sensor *sensor);
 /* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
@@ -517,7 +711,8 @@ typedef struct bdpt_film_desc {
   float filter_b;          /* Mitchell: C */
   bdpt_normalization normalization;
   uint32_t groups;         /* independent groups of passes, pass p belongs to group p mod groups: [1,16]; 0 = 2. The
-                              estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more */
+                              estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more; 48
+                              for each plane of a sensor that is no camera */
   uint32_t pyramid_edges;  /* keep an image of each technique (s,t) of paths of up to so many edges: [0,15];
                               96 bytes per pixel and technique, of which k edges have k + 2. 0 = none */
 } bdpt_film_desc;
@@ -546,8 +741,12 @@ typedef struct bdpt_film_info {
   uint64_t scene_hash;     /* 0 while empty */
   uint64_t options_hash;   /* of sensor, film and render options; 0 while empty */
   uint64_t rejected;       /* contributions that were not finite or too large for the film, and were left out */
-  double relative_error;   /* square root of the relative variance, averaged over the pixels: var / (mean² + 0.01 M²)
-                              with M the mean of the image; -1 while unknown (fewer than two groups hold passes) */
+  double relative_error;   /* square root of the relative variance, averaged over the measurements of plane 0:
+                              var / (mean² + 0.01 M²) with M the mean of the image; -1 while unknown (fewer than two
+                              groups hold passes) */
+  uint64_t measured;       /* measurements: pixels, or texels that cover some surface */
+  uint32_t planes;         /* of three colours; 1 for a camera */
+  uint32_t reserved;
 } bdpt_film_info;
 
 /* Tells what a film holds.
@@ -572,6 +771,8 @@ typedef struct bdpt_read_desc {
   uint32_t flip;             /* 1: the bottom row first */
   uint32_t include_partial;  /* 1: with the blocks of a pass that a cancel interrupted, each weighed as if the pass were
                                 whole; 0: whole passes only */
+  uint32_t plane;            /* of the sensor's outputs, one after another; of a camera, 0 */
+  uint32_t reserved;
 } bdpt_read_desc;
 
 /* Reads a layer as 32-bit floats, 3 to a pixel. An empty film reads as zero.
@@ -846,6 +1047,225 @@ typedef struct bdpt_technique_stats {
  * object. Callbacks: allowed. Ownership: copies into *stats. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_render_get_technique_stats(const bdpt_render *render, uint32_t s, uint32_t t,
                                                                 bdpt_technique_stats *stats);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Lightmaps: work on buffers. These need no context.
+ *
+ *   Atlas      Row 0 is the top, where v = 1: (u, v) is the point (u width, (1 - v) height) of the atlas. Texel (x, y)
+ *              covers [x, x+1) x [y, y+1), its value sits at its centre, and lookups between centres are bilinear.
+ *   Buffers    are the caller's, packed, row by row. A capacity is a buffer's size in bytes; one too small is refused.
+ *   Not finite A texel with a value that is NaN or infinite is counted and has no value: it spreads to no other.
+ *   The same input gives the same output to the bit. A call that fails has changed no buffer.
+ */
+
+/* A mesh in the world and in an atlas. An array's element: it will not grow, see the strides. */
+typedef struct bdpt_uv_instance {
+  const bdpt_mesh_desc *mesh; /* uv[1] is required, and read during the call only: no release is called. Triangles
+                                 without area are allowed */
+  float transform[12];        /* object to world, invertible; twelve zeros = identity */
+  float uv_scale[2];          /* uv[1] times uv_scale */
+  float uv_offset[2];         /*   plus uv_offset is the place in the atlas: that of [0,1] x [0,1] is the instance's
+                                 rectangle. Two zeros for the scale = 1; a negative one turns it over */
+  uint32_t atlas;             /* which atlas it is in, from 0 */
+  uint32_t reserved;
+} bdpt_uv_instance;
+
+typedef struct bdpt_uv_check_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;           /* at least 1 */
+  const bdpt_uv_instance *instances;
+  uint32_t instance_stride;          /* bytes from instance to instance; 0 = sizeof(bdpt_uv_instance) */
+  uint32_t atlas;                    /* the one to look at: instances in others are passed over */
+  uint32_t width, height;            /* of the atlas, 1 to 65536 texels, and at most 2^28 together */
+  uint32_t padding_reach;            /* look for charts that are so many texels apart, [1,1024]; 0 = 16 */
+  uint32_t reserved;
+  uint64_t max_overlaps;             /* stop looking after so many pairs; 0 = 1,000,000 */
+} bdpt_uv_check_desc;
+
+/* Where bdpt_uv_check leaves its maps; each buffer may be NULL. */
+typedef struct bdpt_uv_maps {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint32_t *triangle_charts;         /* chart of each triangle, from 1, instance after instance; 0 in other atlases */
+  uint64_t triangle_charts_capacity;
+  uint32_t *texel_charts;            /* the chart with the largest part of the texel; 0 = none */
+  uint64_t texel_charts_capacity;
+  uint32_t *texel_claims;            /* how many charts touch the texel */
+  uint64_t texel_claims_capacity;
+  uint32_t *texel_overlaps;          /* how many pairs of triangles overlap in the texel */
+  uint64_t texel_overlaps_capacity;
+} bdpt_uv_maps;
+
+typedef struct bdpt_uv_report {
+  uint32_t struct_size;
+  int32_t padding;               /* fewest free texels between two charts, along rows, columns or diagonals; 0 if charts
+                                    touch or share a texel; -1 = no two charts within padding_reach */
+  uint64_t triangles;
+  uint64_t charts;               /* triangles of an instance are of one chart if they share a vertex: the same point in
+                                    the world and in the atlas, whatever its index */
+  uint64_t outside_rect;         /* triangles that leave their instance's rectangle by more than 1/1000 texel */
+  uint64_t outside_atlas;        /*   and the atlas */
+  uint64_t zero_area_uv;         /* triangles of less than a millionth of a texel */
+  uint64_t zero_area_world;      /* triangles without area in the world, but for rounding */
+  uint64_t mirrored;             /* triangles that show the atlas mirrored when seen from the front */
+  uint64_t texels_claimed;       /* texels that a chart touches, further in than 1/1000 texel */
+  uint64_t texels_shared;        /* texels that two charts or more touch: light leaks from one to the other */
+  uint64_t overlaps_within;      /* pairs of triangles of one chart that share more than 1/1000 of the smaller one's area
+                                    and more than 1/100000 texel: a chart that folds over */
+  uint64_t overlaps_between;     /* pairs of triangles of two charts that do */
+  double overlap_area_within;    /* what they share, texels, added up over the pairs */
+  double overlap_area_between;
+  float density_min;             /* texels per world unit: root of the ratio of areas, over triangles that have both; */
+  float density_mean;            /*   of the sums of both areas; */
+  float density_max;             /*   all 0 where no triangle has */
+  uint32_t overlaps_cut;         /* 1: there are more pairs than max_overlaps */
+} bdpt_uv_report;
+
+/* Tells what is wrong with the lightmap coordinates of an atlas, and what they are like. maps may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for triangles that cover the atlas more than 256 times: coordinates that
+ * are not for lightmaps), _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads the meshes during the call; writes *report and the maps. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_uv_check(const bdpt_uv_check_desc *desc, const bdpt_uv_maps *maps, bdpt_uv_report *report);
+
+typedef struct bdpt_lightmap_dilate_desc {
+  uint32_t struct_size;
+  uint32_t width, height;   /* 1 to 65536 texels, and at most 2^28 together */
+  uint32_t channels;        /* floats to a texel, 1 to 4096 */
+  uint32_t steps;           /* rings of texels to fill; 0 = 4. Bilinear lookups need 1, bicubic ones 2, m mipmaps 2^m,
+                               blocks of 4 x 4 need 4 */
+  uint32_t reserved;
+  float *pixels;
+  uint64_t pixels_capacity;
+  uint8_t *mask;            /* a byte to a texel: 0 = no value. Becomes 1 where one is filled in, and 0 where the value
+                               that was there is not finite and is not replaced */
+  uint64_t mask_capacity;
+  uint32_t *charts;         /* chart of each texel: values spread within their chart only. A texel without value that
+                               is of chart 0 takes the chart of most of its neighbours, the lowest of equals. NULL = no
+                               difference is made */
+  uint64_t charts_capacity;
+} bdpt_lightmap_dilate_desc;
+
+typedef struct bdpt_lightmap_dilate_report {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t filled;     /* texels */
+  uint64_t not_finite; /* texels that had a value by the mask, but not a finite one */
+  uint64_t left;       /* texels that are still without a value */
+} bdpt_lightmap_dilate_report;
+
+/* Fills gutters, in place: in each step every texel without a value that has neighbours with one, among the eight round
+ * it, takes their mean in every channel. report may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: writes pixels, mask, charts and *report. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_dilate(const bdpt_lightmap_dilate_desc *desc, bdpt_lightmap_dilate_report *report);
+
+/* An atlas' pixels. An array's element: it will not grow. */
+typedef struct bdpt_lightmap_image {
+  float *pixels;          /* channels floats to a texel */
+  uint64_t capacity;
+  const uint8_t *mask;    /* a byte to a texel: 0 = no value; NULL = all have one */
+  uint64_t mask_capacity;
+  uint32_t width, height; /* 1 to 65536 texels, and at most 2^28 together */
+} bdpt_lightmap_image;
+
+typedef struct bdpt_lightmap_seams_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;           /* at least 1 */
+  const bdpt_uv_instance *instances;
+  uint32_t instance_stride;          /* bytes from instance to instance; 0 = sizeof(bdpt_uv_instance) */
+  uint32_t image_count;              /* at least 1 */
+  const bdpt_lightmap_image *images; /* instances name them by their atlas */
+  uint32_t image_stride;             /* bytes from image to image; 0 = sizeof(bdpt_lightmap_image) */
+  uint32_t channels;                 /* of all images, 1 to 4096 */
+  float position_tolerance;          /* world units along each axis, within which two corners are one; 0 = 1/100000 of
+                                        the diagonal of all that is there */
+  float angle;                       /* normals of both sides that differ by more leave the edge as it is, [0,180]
+                                        degrees; 0 = 15. Of vertices where the mesh has normals, else of triangles */
+  float lambda;                      /* how much texels resist: the less, the closer the two sides get, (0, 1e6];
+                                        0 = 0.01 */
+  uint32_t max_iterations;           /* of conjugate gradients, for each channel; 0 = 1000 */
+} bdpt_lightmap_seams_desc;
+
+typedef struct bdpt_lightmap_seams_report {
+  uint32_t struct_size;
+  uint32_t iterations;      /* the most that a channel took */
+  uint64_t seams;           /* edges that are one in the world and two in the atlas */
+  uint64_t samples;         /* points along them where both sides were compared */
+  uint64_t samples_skipped; /* points left out: outside the atlas, or beside a texel without a value: dilate first */
+  uint64_t not_finite;      /* texels near seams that have a value by the mask, but not a finite one */
+  uint64_t texels;          /* that were free to change */
+  double error_before;      /* root of the mean square difference of the two sides, over samples and channels */
+  double error_after;
+  uint32_t converged;       /* 0: max_iterations was reached in a channel; what it had is kept */
+  uint32_t reserved;
+} bdpt_lightmap_seams_report;
+
+/* Makes the two sides of every seam agree, within and between meshes, instances and atlases, in place: the texels T that
+ * bilinear lookups along seams read minimise  sum w (B_a T - B_b T)² + lambda |T - T_0|²  over samples half a texel
+ * apart, w being the length they stand for in texels, B_a T and B_b T the lookups on both sides, T_0 the values given.
+ * All other texels keep their bits. Edges are joined whole, corner to corner. report may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads the meshes during the call; writes pixels and *report. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_fix_seams(const bdpt_lightmap_seams_desc *desc, bdpt_lightmap_seams_report *report);
+
+/* Encodings, each of a texel:
+ * HALF      channels 16-bit floats, rounded to nearest; clipped to +-65504
+ * RGBM      4 bytes R, G, B, M of an RGB colour: range M/255 (R, G, B)/255; clipped to [0, range], of which each channel
+ *           keeps an error of at most 1/510 of range M/255
+ * RGBD      4 bytes R, G, B, D of an RGB colour, D at least 1: range/D (R, G, B)/255; clipped to [0, range]; an error of
+ *           at most 1/510 of range/D, so of 1/255 of the largest channel where that is at least range/255
+ * The others take coefficients c of spherical harmonics, RGB each, in the order 1; y, z, x; xy, yz, 3z²-1, xz, x²-y²
+ * with the factors 0.282095; 0.488603; 1.092548, 1.092548, 0.315392, 1.092548, 0.546274. They give 32-bit floats that
+ * say what the irradiance E(n) is for a surface of normal n; E is in W/m², not divided by pi:
+ * DOMINANT  7 floats from 4 coefficients: E(d) as RGB, by bands 0 and 1; d, the direction of the luminance's band 1, or
+ *           zeros; s, how much of the light comes from there: 0 if it is even, 1 if all does
+ * MONO_SH   6 floats from 4 coefficients: E_0, the mean of E(n) over all directions, as RGB; v, of the luminance,
+ *           clipped to |v| <= 1: E(n) = E_0 (1 + 2 v·n), which is what bands 0 and 1 say where the light is grey
+ * H4, H6    4 or 6 RGB coefficients, from 9 in the surface's own frame (z is its normal): E(n) = sum h_i H_i(n) for
+ *           n_z >= 0, with H = (1/2pi)^½; (3/2pi)^½ times y, 2z-1, x; (15/2pi)^½ times xy, (x²-y²)/2: the basis of
+ *           Habel and Wimmer (2010), orthonormal on the hemisphere; the fit is that of least squares there */
+typedef int32_t bdpt_lightmap_encoding;
+#define BDPT_LIGHTMAP_ENCODING_HALF 0
+#define BDPT_LIGHTMAP_ENCODING_RGBM 1
+#define BDPT_LIGHTMAP_ENCODING_RGBD 2
+#define BDPT_LIGHTMAP_ENCODING_DOMINANT 3
+#define BDPT_LIGHTMAP_ENCODING_MONO_SH 4
+#define BDPT_LIGHTMAP_ENCODING_H4 5
+#define BDPT_LIGHTMAP_ENCODING_H6 6
+
+typedef int32_t bdpt_sh;
+#define BDPT_SH_RADIANCE 0   /* c_lm = integral of L Y_lm over directions; E(n) = sum A_l c_lm Y_lm(n) with A = pi,
+                                2pi/3, pi/4 */
+#define BDPT_SH_IRRADIANCE 1 /* those times A_l: E(n) = sum c_lm Y_lm(n) */
+
+typedef struct bdpt_lightmap_encode_desc {
+  uint32_t struct_size;
+  bdpt_lightmap_encoding encoding;
+  bdpt_sh sh;               /* what the coefficients are; 0 where there are none */
+  uint32_t channels;        /* HALF: floats to a texel, 1 to 4096; else 0 */
+  uint64_t texels;          /* 1 to 2^32 */
+  const float *pixels;
+  uint64_t pixels_capacity;
+  uint64_t texel_stride;    /* floats from texel to texel; 0 = packed; at most 65536 */
+  uint64_t plane_stride;    /* coefficients: floats from one of a texel to its next, 3 to 2^40; 0 = 3. Three times
+                               texels for images behind one another, each of one coefficient; else 0 */
+  void *encoded;            /* packed; aligned to 2 bytes for HALF, to 4 for floats; does not overlap pixels */
+  uint64_t encoded_capacity;
+  float range;              /* RGBM: 0 = 8; RGBD: 0 = 255; else 0 */
+  uint32_t reserved;
+} bdpt_lightmap_encode_desc;
+
+typedef struct bdpt_lightmap_encode_report {
+  uint32_t struct_size;
+  uint32_t reserved;
+  uint64_t clipped;    /* texels with a value that was clipped */
+  uint64_t not_finite; /* texels with a value that is not finite: encoded as 0 in all channels */
+} bdpt_lightmap_encode_report;
+
+/* Encodes texels. report may be NULL.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed.
+ * Ownership: reads pixels, writes encoded and *report. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_encode(const bdpt_lightmap_encode_desc *desc, bdpt_lightmap_encode_report *report);
 
 /* ---------------------------------------------------------------------------------------------------------------
  * Images: display transform and files. These need no context.

@@ -199,7 +199,7 @@ TEST_F(ApiBuilder, MaterialsAreChecked) {
   refused([](auto& d) { d.emission[0] = -1; });
   refused([](auto& d) { d.emission[0] = kInfinity; });
   refused([](auto& d) { d.emission_two_sided = 7; });
-  refused([](auto& d) { d.reserved = 1; });
+  refused([](auto& d) { d.emission_group = 64; });
   const bdpt_texture_id texture = add_texture(b_);
   refused([&](auto& d) { d.type = BDPT_MATERIAL_DIELECTRIC, d.reflectance_texture = texture; });
 }

@@ -1,5 +1,6 @@
 // Every entry point, with NULL for what must be given.
 #include "api_scene.h"
+#include "lightmap_meshes.h"
 
 namespace bdpt_api {
 namespace {
@@ -115,6 +116,29 @@ TEST(ApiNull, SceneSensorFilmAndRenderCallsRefuseIt) {
   EXPECT_INVALID(bdpt_camera_create(world.context.get(), nullptr, &sensor));
   EXPECT_INVALID(bdpt_camera_create(world.context.get(), &camera, nullptr));
 
+  const bdpt_lightmap_desc lightmap = make<bdpt_lightmap_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_lightmap_create(nullptr, &lightmap, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_lightmap_create(world.scene.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_lightmap_create(world.scene.get(), &lightmap, nullptr));
+  bdpt_lightmap_info lightmap_info = make<bdpt_lightmap_info>();
+  EXPECT_INVALID(bdpt_lightmap_get_info(nullptr, &lightmap_info));
+  EXPECT_INVALID(bdpt_lightmap_read_texels(nullptr, nullptr, nullptr, 0));
+  const bdpt_points_desc points = make<bdpt_points_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_points_create(nullptr, &points, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_points_create(world.context.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_points_create(world.context.get(), &points, nullptr));
+
+  const bdpt_custom_desc custom = make<bdpt_custom_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_custom_create(nullptr, &custom, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_custom_create(world.context.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_custom_create(world.context.get(), &custom, nullptr));
+
   bdpt_film* film = dirty<bdpt_film>();
   EXPECT_INVALID(bdpt_film_create(nullptr, nullptr, &film));
   EXPECT_EQ(nullptr, film);
@@ -171,6 +195,54 @@ TEST(ApiNull, ImageCallsRefuseIt) {
   EXPECT_INVALID(bdpt_image_write_exr("image.exr", &exr));
   EXPECT_INVALID(bdpt_image_write_png(nullptr, pixels, 1, 1));
   EXPECT_INVALID(bdpt_image_write_png("image.png", nullptr, 1, 1));
+}
+
+TEST(ApiNull, LightmapCallsRefuseIt) {
+  LightmapMesh mesh;
+  add_quad(mesh, {8, 8}, 1, 1, 7, 7, 1);
+  const bdpt_mesh_desc mesh_desc = mesh.desc();
+  const bdpt_uv_instance instance = uv_instance(mesh_desc), none{};
+  bdpt_uv_check_desc check = make<bdpt_uv_check_desc>();
+  bdpt_uv_report report = make<bdpt_uv_report>();
+  check.instance_count = 1, check.width = check.height = 8;
+  EXPECT_INVALID(bdpt_uv_check(nullptr, nullptr, &report));
+  EXPECT_INVALID(bdpt_uv_check(&check, nullptr, &report));
+  check.instances = &none;
+  EXPECT_INVALID(bdpt_uv_check(&check, nullptr, &report));
+  check.instances = &instance;
+  EXPECT_INVALID(bdpt_uv_check(&check, nullptr, nullptr));
+  EXPECT_OK(bdpt_uv_check(&check, nullptr, &report));
+
+  std::vector<float> pixels(64);
+  std::vector<uint8_t> mask(64);
+  bdpt_lightmap_dilate_desc dilate = make<bdpt_lightmap_dilate_desc>();
+  dilate.width = dilate.height = 8, dilate.channels = 1;
+  dilate.pixels_capacity = 256, dilate.mask_capacity = 64;
+  EXPECT_INVALID(bdpt_lightmap_dilate(nullptr, nullptr));
+  dilate.mask = mask.data();
+  EXPECT_INVALID(bdpt_lightmap_dilate(&dilate, nullptr));
+  dilate.pixels = pixels.data(), dilate.mask = nullptr;
+  EXPECT_INVALID(bdpt_lightmap_dilate(&dilate, nullptr));
+
+  bdpt_lightmap_image image{nullptr, 256, nullptr, 0, 8, 8};
+  bdpt_lightmap_seams_desc seams = make<bdpt_lightmap_seams_desc>();
+  seams.instance_count = seams.image_count = seams.channels = 1;
+  seams.instances = &instance;
+  EXPECT_INVALID(bdpt_lightmap_fix_seams(nullptr, nullptr));
+  EXPECT_INVALID(bdpt_lightmap_fix_seams(&seams, nullptr));
+  seams.images = &image;
+  EXPECT_INVALID(bdpt_lightmap_fix_seams(&seams, nullptr));
+  image.pixels = pixels.data();
+  seams.instances = nullptr;
+  EXPECT_INVALID(bdpt_lightmap_fix_seams(&seams, nullptr));
+
+  bdpt_lightmap_encode_desc encode = make<bdpt_lightmap_encode_desc>();
+  encode.channels = encode.texels = 1;
+  encode.pixels_capacity = encode.encoded_capacity = 256;
+  EXPECT_INVALID(bdpt_lightmap_encode(nullptr, nullptr));
+  EXPECT_INVALID(bdpt_lightmap_encode(&encode, nullptr));
+  encode.pixels = pixels.data();
+  EXPECT_INVALID(bdpt_lightmap_encode(&encode, nullptr));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Memory that runs out, at each allocation in turn: the call fails, nothing has changed, nothing is lost.
 #include "api_scene.h"
+#include "lightmap_meshes.h"
 
 #include <dlfcn.h>
 
@@ -187,6 +188,58 @@ TEST(ApiOutOfMemory, AContextIsMadeWholeOrNotAtAllAndDropsOnce) {
   bdpt_context_release(context);
   EXPECT_EQ(failed + 1, drops.executor);
   EXPECT_EQ(failed + 1, drops.log);
+}
+
+TEST(ApiOutOfMemory, LightmapCallsWriteAllOrNothing) {
+  LightmapMesh mesh;
+  add_quad(mesh, {16, 8}, 1, 1, 5, 7, 1);
+  add_quad(mesh, {16, 8}, 9, 1, 13, 7, 1, 4);
+  const bdpt_mesh_desc mesh_desc = mesh.desc();
+  const bdpt_uv_instance instance = uv_instance(mesh_desc);
+  std::vector<float> pixels(128, 1);
+  std::vector<uint8_t> mask(128);
+  std::vector<uint32_t> charts(128, 77);
+  for (size_t i = 0; i < 64; ++i) pixels[i / 8 * 16 + i % 8] = 2;
+  mask[20] = mask[30] = 1;
+  const std::vector<float> before = pixels;
+  const std::vector<uint8_t> mask_before = mask;
+  // Calls until one succeeds; until then nothing must change.
+  const auto fails_cleanly = [&](const auto& call) {
+    EXPECT_GT(fail_each_allocation([&] {
+                const bdpt_result result = call();
+                if (result != BDPT_OK) {
+                  EXPECT_EQ(before, pixels);
+                  EXPECT_EQ(mask_before, mask);
+                  EXPECT_EQ(std::vector<uint32_t>(128, 77), charts);
+                }
+                return result;
+              }),
+              0);
+  };
+  bdpt_lightmap_image image{pixels.data(), 512, nullptr, 0, 16, 8};
+  bdpt_lightmap_seams_desc seams = make<bdpt_lightmap_seams_desc>();
+  seams.instance_count = seams.image_count = seams.channels = 1;
+  seams.instances = &instance, seams.images = &image;
+  bdpt_lightmap_seams_report seams_report = make<bdpt_lightmap_seams_report>();
+  fails_cleanly([&] { return bdpt_lightmap_fix_seams(&seams, &seams_report); });
+  EXPECT_EQ(1u, seams_report.seams);
+  EXPECT_NE(before, pixels);
+  pixels = before;
+
+  bdpt_lightmap_dilate_desc dilate = make<bdpt_lightmap_dilate_desc>();
+  dilate.width = 16, dilate.height = 8, dilate.channels = 1;
+  dilate.pixels = pixels.data(), dilate.pixels_capacity = 512, dilate.mask = mask.data(), dilate.mask_capacity = 128;
+  fails_cleanly([&] { return bdpt_lightmap_dilate(&dilate, nullptr); });
+  EXPECT_NE(mask_before, mask);
+  pixels = before, mask = mask_before;
+
+  bdpt_uv_check_desc check = make<bdpt_uv_check_desc>();
+  check.instance_count = 1, check.instances = &instance, check.width = 16, check.height = 8;
+  bdpt_uv_report report = make<bdpt_uv_report>();
+  bdpt_uv_maps maps = make<bdpt_uv_maps>();
+  maps.texel_charts = charts.data(), maps.texel_charts_capacity = 512;
+  fails_cleanly([&] { return bdpt_uv_check(&check, &maps, &report); });
+  EXPECT_EQ(2u, report.charts);
 }
 
 }  // namespace

@@ -70,12 +70,14 @@ inline bdpt_data view(const void* data, uint64_t count, bdpt_format format) {
 // A square in the xz plane round the origin whose front looks up.
 inline constexpr float kSquare[4][3] = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
 inline constexpr uint32_t kSquareIndices[2][3] = {{0, 1, 2}, {0, 2, 3}};
+inline constexpr float kSquareUv[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
 
 inline bdpt_mesh_desc square_desc() {
   bdpt_mesh_desc desc = make<bdpt_mesh_desc>();
   desc.label = "square";
   desc.positions = view(kSquare, 4, BDPT_FORMAT_FLOAT3);
   desc.indices = view(kSquareIndices, 2, BDPT_FORMAT_UINT32X3);
+  desc.uv[1] = view(kSquareUv, 4, BDPT_FORMAT_FLOAT2);
   return desc;
 }
 
@@ -203,11 +205,12 @@ inline bdpt_film_info info_of(const bdpt_film* film) {
   return info;
 }
 
-inline std::vector<float> pixels_of(const bdpt_film* film, bdpt_layer layer = BDPT_LAYER_COLOR) {
+inline std::vector<float> pixels_of(const bdpt_film* film, bdpt_layer layer = BDPT_LAYER_COLOR, uint32_t plane = 0) {
   const bdpt_film_info info = info_of(film);
   std::vector<float> pixels(size_t(info.width) * info.height * 3);
   bdpt_read_desc desc = make<bdpt_read_desc>();
   desc.layer = layer;
+  desc.plane = plane;
   EXPECT_OK(bdpt_film_read(film, &desc, pixels.data(), pixels.size() * sizeof(float)));
   return pixels;
 }

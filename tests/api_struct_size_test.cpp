@@ -1,5 +1,6 @@
 // Old callers, new callers, and callers that never set struct_size.
 #include "api_scene.h"
+#include "lightmap_meshes.h"
 #include "temp_folder.h"
 
 #include <cstdlib>
@@ -124,6 +125,50 @@ TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
     bdpt_sensor_release(sensor);
     return result;
   });
+  bdpt_lightmap_instance floor = make<bdpt_lightmap_instance>();
+  floor.instance = world.contents.floor;
+  bdpt_output_desc output = make<bdpt_output_desc>();
+  bdpt_lightmap_desc lightmap = make<bdpt_lightmap_desc>();
+  lightmap.width = lightmap.height = 4, lightmap.instance_count = lightmap.output_count = 1;
+  lightmap.instances = &floor, lightmap.outputs = &output;
+  Sensor kept;
+  const auto create_lightmap = [&](const bdpt_lightmap_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_lightmap_create(world.scene.get(), d, &sensor);
+    if (sensor) kept.reset(sensor);
+    return result;
+  };
+  check<bdpt_lightmap_desc>("bdpt_lightmap_desc", 72, lightmap, create_lightmap);
+  check<bdpt_lightmap_instance>("bdpt_lightmap_instance", 40, floor, [&](bdpt_lightmap_instance* i) {
+    bdpt_lightmap_desc d = lightmap;
+    d.instances = i;
+    return create_lightmap(&d);
+  });
+  check<bdpt_output_desc>("bdpt_output_desc", 24, output, [&](bdpt_output_desc* o) {
+    bdpt_lightmap_desc d = lightmap;
+    d.outputs = o;
+    return create_lightmap(&d);
+  });
+  check<bdpt_lightmap_info>("bdpt_lightmap_info", 64, make<bdpt_lightmap_info>(),
+                            [&](bdpt_lightmap_info* info) { return bdpt_lightmap_get_info(kept.get(), info); });
+  const bdpt_point point{{0, 1, 0}, {0, 1, 0}, 0, 0};
+  bdpt_points_desc points = make<bdpt_points_desc>();
+  points.count = 1, points.points = &point;
+  check<bdpt_points_desc>("bdpt_points_desc", 48, points, [&](bdpt_points_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_points_create(world.context.get(), d, &sensor);
+    bdpt_sensor_release(sensor);
+    return result;
+  });
+  bdpt_custom_desc custom = make<bdpt_custom_desc>();
+  custom.measurements = 1;
+  custom.start = [](void*, uint32_t, const uint64_t*, const float (*)[4], bdpt_measurement_start*) { return 0; };
+  check<bdpt_custom_desc>("bdpt_custom_desc", 72, custom, [&](bdpt_custom_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_custom_create(world.context.get(), d, &sensor);
+    bdpt_sensor_release(sensor);
+    return result;
+  });
   check<bdpt_film_desc>("bdpt_film_desc", 32, make<bdpt_film_desc>(), [&](bdpt_film_desc* d) {
     bdpt_film* film = nullptr;
     const bdpt_result result = bdpt_film_create(world.sensor.get(), d, &film);
@@ -172,6 +217,56 @@ TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
   exr.width = exr.height = exr.layer_count = 1, exr.layers = &layer;
   check<bdpt_exr_desc>("bdpt_exr_desc", 32, exr,
                        [&](bdpt_exr_desc* d) { return bdpt_image_write_exr(folder.file("a.exr").c_str(), d); });
+}
+
+TEST(ApiStructSize, LightmapStructsAreReadBySize) {
+  LightmapMesh mesh;
+  add_quad(mesh, {8, 8}, 1, 1, 7, 7, 1);
+  bdpt_mesh_desc mesh_desc = mesh.desc();
+  bdpt_uv_instance instance = uv_instance(mesh_desc);
+  bdpt_uv_check_desc uv_check = make<bdpt_uv_check_desc>();
+  uv_check.instance_count = 1, uv_check.instances = &instance, uv_check.width = uv_check.height = 8;
+  bdpt_uv_report uv_report = make<bdpt_uv_report>();
+  check<bdpt_uv_check_desc>("bdpt_uv_check_desc", 48, uv_check,
+                            [&](bdpt_uv_check_desc* d) { return bdpt_uv_check(d, nullptr, &uv_report); });
+  check<bdpt_uv_maps>("bdpt_uv_maps", 72, make<bdpt_uv_maps>(),
+                      [&](bdpt_uv_maps* m) { return bdpt_uv_check(&uv_check, m, &uv_report); });
+  check<bdpt_uv_report>("bdpt_uv_report", 128, make<bdpt_uv_report>(),
+                        [&](bdpt_uv_report* r) { return bdpt_uv_check(&uv_check, nullptr, r); });
+  check<bdpt_mesh_desc>("bdpt_mesh_desc of an instance", 296, mesh_desc, [&](bdpt_mesh_desc* m) {
+    instance.mesh = m;
+    return bdpt_uv_check(&uv_check, nullptr, &uv_report);
+  });
+  instance.mesh = &mesh_desc;
+
+  std::vector<float> pixels(64);
+  std::vector<uint8_t> mask(64);
+  bdpt_lightmap_dilate_desc dilate = make<bdpt_lightmap_dilate_desc>();
+  dilate.width = dilate.height = 8, dilate.channels = 1;
+  dilate.pixels = pixels.data(), dilate.pixels_capacity = 256, dilate.mask = mask.data(), dilate.mask_capacity = 64;
+  check<bdpt_lightmap_dilate_desc>("bdpt_lightmap_dilate_desc", 72, dilate,
+                                   [&](bdpt_lightmap_dilate_desc* d) { return bdpt_lightmap_dilate(d, nullptr); });
+  check<bdpt_lightmap_dilate_report>("bdpt_lightmap_dilate_report", 32, make<bdpt_lightmap_dilate_report>(),
+                                     [&](bdpt_lightmap_dilate_report* r) { return bdpt_lightmap_dilate(&dilate, r); });
+
+  const bdpt_lightmap_image image{pixels.data(), 256, nullptr, 0, 8, 8};
+  bdpt_lightmap_seams_desc seams = make<bdpt_lightmap_seams_desc>();
+  seams.instance_count = seams.image_count = seams.channels = 1;
+  seams.instances = &instance, seams.images = &image;
+  check<bdpt_lightmap_seams_desc>("bdpt_lightmap_seams_desc", 56, seams,
+                                  [&](bdpt_lightmap_seams_desc* d) { return bdpt_lightmap_fix_seams(d, nullptr); });
+  check<bdpt_lightmap_seams_report>("bdpt_lightmap_seams_report", 72, make<bdpt_lightmap_seams_report>(),
+                                    [&](bdpt_lightmap_seams_report* r) { return bdpt_lightmap_fix_seams(&seams, r); });
+
+  std::vector<uint16_t> encoded(64);
+  bdpt_lightmap_encode_desc encode = make<bdpt_lightmap_encode_desc>();
+  encode.channels = 1, encode.texels = 64;
+  encode.pixels = pixels.data(), encode.pixels_capacity = 256;
+  encode.encoded = encoded.data(), encode.encoded_capacity = 128;
+  check<bdpt_lightmap_encode_desc>("bdpt_lightmap_encode_desc", 80, encode,
+                                   [&](bdpt_lightmap_encode_desc* d) { return bdpt_lightmap_encode(d, nullptr); });
+  check<bdpt_lightmap_encode_report>("bdpt_lightmap_encode_report", 24, make<bdpt_lightmap_encode_report>(),
+                                     [&](bdpt_lightmap_encode_report* r) { return bdpt_lightmap_encode(&encode, r); });
 }
 
 TEST(ApiStructSize, AnOutputStructIsWrittenOnlyAsFarAsItReaches) {

@@ -33,6 +33,15 @@ HOLDS(output_sink_size_first, offsetof(bdpt_output_sink, struct_size) == 0);
 HOLDS(advance_desc_size_first, offsetof(bdpt_advance_desc, struct_size) == 0);
 HOLDS(advance_report_size_first, offsetof(bdpt_advance_report, struct_size) == 0);
 HOLDS(render_stats_size_first, offsetof(bdpt_render_stats, struct_size) == 0);
+HOLDS(uv_check_desc_size_first, offsetof(bdpt_uv_check_desc, struct_size) == 0);
+HOLDS(uv_maps_size_first, offsetof(bdpt_uv_maps, struct_size) == 0);
+HOLDS(uv_report_size_first, offsetof(bdpt_uv_report, struct_size) == 0);
+HOLDS(lightmap_dilate_desc_size_first, offsetof(bdpt_lightmap_dilate_desc, struct_size) == 0);
+HOLDS(lightmap_dilate_report_size_first, offsetof(bdpt_lightmap_dilate_report, struct_size) == 0);
+HOLDS(lightmap_seams_desc_size_first, offsetof(bdpt_lightmap_seams_desc, struct_size) == 0);
+HOLDS(lightmap_seams_report_size_first, offsetof(bdpt_lightmap_seams_report, struct_size) == 0);
+HOLDS(lightmap_encode_desc_size_first, offsetof(bdpt_lightmap_encode_desc, struct_size) == 0);
+HOLDS(lightmap_encode_report_size_first, offsetof(bdpt_lightmap_encode_report, struct_size) == 0);
 HOLDS(display_desc_size_first, offsetof(bdpt_display_desc, struct_size) == 0);
 HOLDS(exr_desc_size_first, offsetof(bdpt_exr_desc, struct_size) == 0);
 

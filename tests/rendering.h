@@ -55,6 +55,16 @@ inline FilmDesc film_desc(int width, int height, int pyramid_edges = 0) {
   return d;
 }
 
+// The film of a sensor.
+inline FilmDesc film_for(const Sensor& sensor) {
+  FilmDesc d = film_desc(sensor.width(), sensor.height());
+  if (!sensor.is_local()) return d;
+  d.planes = sensor.planes();
+  d.one_image = true;
+  d.measured = sensor.count();
+  return d;
+}
+
 // --- Renders ---
 
 using ScenePointer = std::shared_ptr<const Scene>;
@@ -106,13 +116,14 @@ inline Picture render(const ScenePointer& scene, const SensorPointer& sensor, co
   RenderDesc desc;
   desc.transport = options;
   desc.seed = seed;
-  return render(scene, sensor, film_desc(sensor->width(), sensor->height()), desc, passes);
+  return render(scene, sensor, film_for(*sensor), desc, passes);
 }
 
-inline std::vector<float> read(const Film& film, FilmLayer layer = FilmLayer::Color, int s = 0, int t = 0) {
+inline std::vector<float> read(const Film& film, FilmLayer layer = FilmLayer::Color, int s = 0, int t = 0,
+                               int plane = 0) {
   const int width = film.desc().width, height = film.desc().height;
   std::vector<float> pixels(size_t(width) * size_t(height) * 3);
-  film.read(layer, s, t, {0, 0, width, height}, false, pixels.data(), size_t(width) * 3);
+  film.read(layer, s, t, {0, 0, width, height}, false, pixels.data(), size_t(width) * 3, plane);
   return pixels;
 }
 
@@ -176,7 +187,7 @@ inline BlockMeans block_means(const ScenePointer& scene, const SensorPointer& se
 }
 inline BlockMeans block_means(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options,
                               const Effort& effort) {
-  return block_means(scene, sensor, film_desc(sensor->width(), sensor->height()), options, effort);
+  return block_means(scene, sensor, film_for(*sensor), options, effort);
 }
 
 // Student's t with these degrees of freedom as a deviation of a normal distribution (Wallace 1959).

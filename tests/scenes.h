@@ -62,7 +62,7 @@ inline Material dielectric(float ior, float alpha = 0) {
 
 struct MeshData {
   std::vector<Vec3> positions, normals;
-  std::vector<Vec2> uv;
+  std::vector<Vec2> uv, lightmap_uv;
   std::vector<Triangle> triangles;
 
   // Front where a, b, c, d turn counter-clockwise.
@@ -77,6 +77,19 @@ struct MeshData {
 inline MeshData quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   MeshData m;
   m.add_quad(a, b, c, d);
+  return m;
+}
+
+// A mesh of quads, each with a square of its own in the lightmap, columns to a row, and a margin round it.
+inline MeshData unwrapped(MeshData m, int columns, float margin) {
+  const size_t quads = m.positions.size() / 4;
+  const float side = 1 / float(columns);
+  for (size_t i = 0; i < quads; ++i) {
+    const Vec2 low(float(i % size_t(columns)) * side + margin, float(i / size_t(columns)) * side + margin);
+    const float size = side - 2 * margin;
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+      m.lightmap_uv.push_back(low + corner * size);
+  }
   return m;
 }
 
@@ -144,7 +157,9 @@ inline std::shared_ptr<const Mesh> make_mesh(const MeshData& data) {
   mesh->triangles = View<Triangle>(own->triangles.data(), own->triangles.size(), sizeof(Triangle));
   mesh->normals = View<Vec3>(own->normals.data(), own->normals.size(), sizeof(Vec3));
   mesh->uv[0] = View<Vec2>(own->uv.data(), own->uv.size(), sizeof(Vec2));
+  mesh->uv[1] = View<Vec2>(own->lightmap_uv.data(), own->lightmap_uv.size(), sizeof(Vec2));
   mesh->content_hash = hash_bytes(own->positions.data(), data.positions.size() * sizeof(Vec3));
+  mesh->content_hash = hash_bytes(own->lightmap_uv.data(), own->lightmap_uv.size() * sizeof(Vec2), mesh->content_hash);
   mesh->keepers.push_back(own);
   return mesh;
 }
@@ -200,9 +215,10 @@ class Builder {
     l.cos_inner = float(std::cos(inner * M_PI / 180));
     return *this;
   }
-  Builder& environment(const Rgb& radiance) {
+  Builder& environment(const Rgb& radiance, uint32_t group = 0) {
     LightDesc l;
     l.type = LightType::Environment;
+    l.group = group;
     l.radiance = radiance;
     desc_.lights.push_back(l);
     return *this;

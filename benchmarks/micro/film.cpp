@@ -30,21 +30,25 @@ std::vector<bdpt::FilmPosition> positions() {
   return all;
 }
 
-using Add = void (bdpt::Film::*)(const bdpt::FilmPosition&, const bdpt::Rgb&);
+enum class Image { Eye, Light };
 
-void splat(benchmark::State& state, Add add, bdpt::FilterType filter) {
+void splat(benchmark::State& state, Image image, bdpt::FilterType filter) {
   const auto film = make_film(filter);
   const auto where = positions();
   std::uint32_t i = 0;
   for (auto _ : state) {
-    (film.get()->*add)(where[i], bdpt::Rgb(0.3f, 0.2f, 0.1f));
+    const bdpt::Rgb value(0.3f, 0.2f, 0.1f);
+    if (image == Image::Eye)
+      film->add_eye_sample(where[i], value);
+    else
+      film->add_light_sample(where[i], value);
     i = (i + 1) % kPositions;
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK_CAPTURE(splat, eye_box, &bdpt::Film::add_eye_sample, bdpt::FilterType::Box);
-BENCHMARK_CAPTURE(splat, eye_gaussian, &bdpt::Film::add_eye_sample, bdpt::FilterType::Gaussian);
-BENCHMARK_CAPTURE(splat, light_box, &bdpt::Film::add_light_sample, bdpt::FilterType::Box);
-BENCHMARK_CAPTURE(splat, light_gaussian, &bdpt::Film::add_light_sample, bdpt::FilterType::Gaussian);
+BENCHMARK_CAPTURE(splat, eye_box, Image::Eye, bdpt::FilterType::Box);
+BENCHMARK_CAPTURE(splat, eye_gaussian, Image::Eye, bdpt::FilterType::Gaussian);
+BENCHMARK_CAPTURE(splat, light_box, Image::Light, bdpt::FilterType::Box);
+BENCHMARK_CAPTURE(splat, light_gaussian, Image::Light, bdpt::FilterType::Gaussian);
 
 }  // namespace

@@ -37,6 +37,12 @@ BDPT_VERSION_1_SIZE(bdpt_instance_desc, 80);
 BDPT_VERSION_1_SIZE(bdpt_build_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_scene_info, 88);
 BDPT_VERSION_1_SIZE(bdpt_camera_desc, 104);
+BDPT_VERSION_1_SIZE(bdpt_output_desc, 24);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_instance, 40);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_desc, 72);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_info, 64);
+BDPT_VERSION_1_SIZE(bdpt_points_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_custom_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_film_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_film_info, 96);
 BDPT_VERSION_1_SIZE(bdpt_read_desc, 48);
@@ -46,14 +52,26 @@ BDPT_VERSION_1_SIZE(bdpt_advance_desc, 64);
 BDPT_VERSION_1_SIZE(bdpt_advance_report, 40);
 BDPT_VERSION_1_SIZE(bdpt_render_stats, 128);
 BDPT_VERSION_1_SIZE(bdpt_technique_stats, 64);
+BDPT_VERSION_1_SIZE(bdpt_uv_check_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_uv_maps, 72);
+BDPT_VERSION_1_SIZE(bdpt_uv_report, 128);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_dilate_desc, 72);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_dilate_report, 32);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_seams_desc, 56);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_seams_report, 72);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_encode_desc, 80);
+BDPT_VERSION_1_SIZE(bdpt_lightmap_encode_report, 24);
 BDPT_VERSION_1_SIZE(bdpt_display_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
 #undef BDPT_VERSION_1_SIZE
 
 // The library writes these; version 1 is the only one so far.
 static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
-// Arrays and parts of other structs carry no size of their own: these two can never change.
-static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16);
+// Arrays and parts of other structs carry no size of their own: these can never change.
+static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32 &&
+              sizeof(bdpt_measurement_start) == 56 && sizeof(bdpt_measurement_place) == 48 &&
+              sizeof(bdpt_measurement_landing) == 56 && sizeof(bdpt_measurement_landed) == 32);
+static_assert(sizeof(bdpt_uv_instance) == 80 && sizeof(bdpt_lightmap_image) == 40);
 
 // No struct will be longer. A larger number is memory that was never set, and how far to read is unknown.
 inline constexpr uint32_t kMaxStructSize = 4096;

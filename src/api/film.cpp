@@ -35,6 +35,13 @@ FilmDesc read_film(const bdpt_film_desc& desc, const Sensor& sensor) {
   film.groups = int(desc.groups == 0 ? kDefaultGroups : desc.groups);
   subject.check_range("pyramid_edges", desc.pyramid_edges, 0, kMaxPyramidEdges);
   film.pyramid_edges = int(desc.pyramid_edges);
+  if (!sensor.is_local()) return film;
+  if (film.filter.type != FilterType::Box || (film.filter.radius != 0 && film.filter.radius != 0.5f))
+    subject.refuse("filter", "is none for a sensor that has no pixels: leave filter and filter_radius zero");
+  film.planes = sensor.planes();
+  film.one_image = true;
+  film.measured = sensor.count();
+  film.normalize_by_weights = false;
   return film;
 }
 
@@ -60,6 +67,8 @@ bdpt_film_info info_of(const Film& film) {
   info.filter_radius = film.filter().radius();
   info.normalization =
       desc.normalize_by_weights ? BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED : BDPT_NORMALIZATION_SAMPLE_COUNT;
+  info.planes = uint32_t(desc.planes);
+  info.measured = desc.measured > 0 ? desc.measured : uint64_t(desc.width) * uint64_t(desc.height);
   info.rejected = film.rejected();
   info.relative_error = film.relative_error();
   if (film.is_empty()) return info;

@@ -24,6 +24,13 @@ PixelRect read_rect(const Subject& subject, const uint32_t rect[4], const FilmDe
 // (s,t) must be a technique that the film keeps an image of.
 void check_layer(const Subject& subject, const bdpt_read_desc& desc, const FilmDesc& film) {
   subject.check_enum("layer", desc.layer, BDPT_LAYER_TECHNIQUE);
+  if (film.one_image && (desc.layer == BDPT_LAYER_EYE || desc.layer == BDPT_LAYER_LIGHT))
+    subject.refuse("layer",
+                   "is the eye or the light image alone, which films of sensors without pixels do not keep: "
+                   "read BDPT_LAYER_COLOR");
+  subject.check_range("plane", desc.plane, 0, film.planes - 1);
+  if (desc.layer == BDPT_LAYER_TECHNIQUE && desc.plane > 0)
+    subject.refuse("plane", "is ", desc.plane, ": the film keeps techniques of plane 0 alone");
   if (desc.layer != BDPT_LAYER_TECHNIQUE) return;
   const uint64_t vertices = uint64_t(desc.s) + desc.t;
   if (vertices < 2 || vertices > uint64_t(film.pyramid_edges) + 1)
@@ -32,8 +39,7 @@ void check_layer(const Subject& subject, const bdpt_read_desc& desc, const FilmD
 }
 
 // The bytes from row to row.
-uint64_t read_row_stride(const Subject& subject, const bdpt_read_desc& desc, const PixelRect& rect,
-                         uint64_t capacity) {
+uint64_t read_row_stride(const Subject& subject, const bdpt_read_desc& desc, const PixelRect& rect, uint64_t capacity) {
   const uint64_t packed = uint64_t(rect.x1 - rect.x0) * kPixelSize, rows = uint64_t(rect.y1 - rect.y0);
   const uint64_t stride = desc.row_stride ? desc.row_stride : packed;
   if (stride < packed || stride > kMaxRowStride || stride % sizeof(float) != 0)
@@ -67,7 +73,7 @@ bdpt_result bdpt_film_read(const bdpt_film* film, const bdpt_read_desc* desc, fl
     const size_t row_stride = size_t(read_row_stride(subject, d, rect, capacity) / sizeof(float));
     // While a render is at work there is a pass in hand, but none that was interrupted.
     const bool partial = d.include_partial != 0 && !film->busy.is_set();
-    f.read(static_cast<FilmLayer>(d.layer), int(d.s), int(d.t), rect, partial, pixels, row_stride);
+    f.read(static_cast<FilmLayer>(d.layer), int(d.s), int(d.t), rect, partial, pixels, row_stride, int(d.plane));
     if (d.flip) turn_over(pixels, rect, row_stride);
   });
 }

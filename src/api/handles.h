@@ -36,6 +36,7 @@ struct bdpt_scene : bdpt::Counted<bdpt_scene> {
 struct bdpt_sensor : bdpt::Counted<bdpt_sensor> {
   bdpt::Ref<bdpt_context> context;
   std::shared_ptr<const bdpt::Sensor> sensor;
+  std::shared_ptr<const bdpt::Scene> scene;  // of sensors that measure a scene's surfaces; else empty
 };
 
 struct bdpt_film : bdpt::Counted<bdpt_film> {

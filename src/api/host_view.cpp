@@ -44,6 +44,22 @@ HostView read_view(const Subject& subject, const char* field, const bdpt_data& d
   return view;
 }
 
+Triangle read_triangle(const HostView& indices, uint64_t i) {
+  switch (indices.format) {
+    case BDPT_FORMAT_UINT32X3:
+      return indices.as<Triangle>()[i];
+    case BDPT_FORMAT_UINT16X3: {
+      uint16_t v[3];
+      std::memcpy(v, indices.data + i * indices.stride, sizeof v);
+      return {v[0], v[1], v[2]};
+    }
+    default: {
+      const uint32_t first = static_cast<uint32_t>(3 * i);
+      return {first, first + 1, first + 2};
+    }
+  }
+}
+
 void check_finite_view(const Subject& subject, const char* field, const HostView& view) {
   const int n = view.format == BDPT_FORMAT_FLOAT2 ? 2 : 3;
   for (uint64_t i = 0; i < view.count; ++i) {

@@ -23,6 +23,9 @@ struct HostView {
 // formats: those allowed, as bits 1 << BDPT_FORMAT_X. An absent view has count 0.
 HostView read_view(const Subject& subject, const char* field, const bdpt_data& data, uint32_t formats);
 
+// Triangle i of an array of indices; of an absent one, vertices 3i, 3i + 1, 3i + 2.
+Triangle read_triangle(const HostView& indices, uint64_t i);
+
 // Throws unless all components are finite.
 void check_finite_view(const Subject& subject, const char* field, const HostView& view);
 

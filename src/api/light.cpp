@@ -34,7 +34,9 @@ LightDesc read_light(const bdpt_light_desc& desc) {
   subject.check_not_negative("radiance", desc.radiance, 3);
   subject.check_finite("cone_angle", desc.cone_angle);
   subject.check_finite("cone_falloff", desc.cone_falloff);
+  subject.check_range("group", desc.group, 0, 63);
   LightDesc light;
+  light.group = desc.group;
   light.label = subject.label();
   light.type = static_cast<LightType>(desc.type);
   light.position = to_vec3(desc.position);

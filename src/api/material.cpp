@@ -18,7 +18,7 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_range("roughness", desc.roughness, 2, 0, 1);
   subject.check_not_negative("emission", desc.emission, 3);
   subject.check_flag("emission_two_sided", desc.emission_two_sided);
-  subject.check_reserved("reserved", desc.reserved);
+  subject.check_range("emission_group", desc.emission_group, 0, 63);
 }
 
 // What only the type in question asks for.
@@ -61,6 +61,7 @@ MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& des
   m.one_sided = desc.one_sided != 0;
   m.emission = to_rgb(desc.emission);
   m.emission_two_sided = desc.emission_two_sided != 0;
+  m.emission_group = desc.emission_group;
   return entry;
 }
 

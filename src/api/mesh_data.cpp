@@ -49,7 +49,7 @@ class MeshReader {
   void check_counts() const;
   void check_values() const;
   uint64_t triangle_count() const { return indices_.count ? indices_.count : positions_.count / 3; }
-  Triangle triangle(uint64_t i) const;
+  Triangle triangle(uint64_t i) const { return read_triangle(indices_, i); }
   bool is_degenerate(const Triangle& t) const {
     const View<Vec3> p = positions_.as<Vec3>();
     return bdpt::is_degenerate(p[t.a], p[t.b], p[t.c]);
@@ -103,22 +103,6 @@ void MeshReader::check_values() const {
     if (largest >= positions_.count)
       subject_.refuse("indices", "has index ", largest, " in triangle ", i,
                       ": give indices below the count of positions (", positions_.count, ")");
-  }
-}
-
-Triangle MeshReader::triangle(uint64_t i) const {
-  switch (indices_.format) {
-    case BDPT_FORMAT_UINT32X3:
-      return indices_.as<Triangle>()[i];
-    case BDPT_FORMAT_UINT16X3: {
-      uint16_t v[3];
-      std::memcpy(v, indices_.data + i * indices_.stride, sizeof v);
-      return {v[0], v[1], v[2]};
-    }
-    default: {
-      const uint32_t first = static_cast<uint32_t>(3 * i);
-      return {first, first + 1, first + 2};
-    }
   }
 }
 

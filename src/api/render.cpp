@@ -149,6 +149,8 @@ void check_fit(const bdpt_scene& scene, const bdpt_sensor& sensor, const bdpt_fi
   if (scene.context.get() != sensor.context.get() || scene.context.get() != film.context.get())
     fail(ErrorCode::Mismatch, "scene, sensor and film are of different contexts: create the three from one");
   const FilmDesc& desc = film.film->desc();
+  if (sensor.scene && sensor.scene != scene.scene)
+    fail(ErrorCode::Mismatch, "the sensor is a lightmap of another scene: create it for this one");
   if (desc.width != sensor.sensor->width() || desc.height != sensor.sensor->height())
     fail(ErrorCode::Mismatch, "the film is ", desc.width, " x ", desc.height, " pixels and the sensor ",
          sensor.sensor->width(), " x ", sensor.sensor->height(), ": create the film for this sensor");

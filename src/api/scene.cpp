@@ -20,7 +20,7 @@ class Collector {
     desc_.instances.reserve(builder_.instances.size());
     for (const auto& [id, instance] : builder_.instances)
       desc_.instances.push_back(
-          {instance.label, shape(instance.shape), material(instance.material), instance.transform});
+          {instance.label, shape(instance.shape), material(instance.material), instance.transform, id});
     for (const auto& [id, light] : builder_.lights) desc_.lights.push_back(light);
     return std::move(desc_);
   }

@@ -9,6 +9,7 @@ namespace bdpt {
 
 uint64_t FilmDesc::hash() const {
   uint64_t h = hash_values(width, height, int(filter.type), normalize_by_weights, groups, pyramid_edges);
+  if (one_image) h = hash_combine(h, hash_values(planes, measured));
   const float numbers[] = {filter.radius, filter.a, filter.b};
   return hash_bytes(numbers, sizeof(numbers), h);
 }
@@ -16,15 +17,17 @@ uint64_t FilmDesc::hash() const {
 uint64_t Film::bytes_for(const FilmDesc& desc) {
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height);
   const uint64_t k = uint64_t(desc.pyramid_edges);
-  return pixels * (sizeof(PixelSums) * uint64_t(desc.groups + 1) + sizeof(TechniqueSums) * 2 * (k * (k + 5) / 2));
+  return pixels * (sizeof(Accumulator) * PixelLayout(desc).size() * uint64_t(desc.groups + 1) +
+                   sizeof(RgbSums) * 2 * (k * (k + 5) / 2));
 }
 
 Film::Film(const FilmDesc& desc, std::shared_ptr<MemoryMeter> meter)
-    : desc_(desc), filter_(desc.filter), booking_(std::move(meter), bytes_for(desc), "the film") {
+    : desc_(desc), filter_(desc.filter), booking_(std::move(meter), bytes_for(desc), "the film"), layout_(desc) {
   desc_.filter.radius = filter_.radius();
-  own_pixel_ = desc.filter.type == FilterType::Box && filter_.radius() == 0.5f;
-  sums_.resize(pixels() * size_t(desc.groups));
-  pass_.resize(pixels());
+  if (desc_.one_image) desc_.normalize_by_weights = false;
+  own_pixel_ = !desc.one_image && desc.filter.type == FilterType::Box && filter_.radius() == 0.5f;
+  sums_.resize(pixels() * layout_.size() * size_t(desc.groups));
+  pass_.resize(pixels() * layout_.size());
   pyramid_.resize(pixels() * size_t(technique_count()));
   pyramid_pass_.resize(pyramid_.size());
 }
@@ -98,54 +101,58 @@ void add_rgb(Accumulator sums[3], const Rgb& v) {
 
 }  // namespace
 
-void Film::add_eye_sample(const FilmPosition& film, const Rgb& value, float weight) {
+void Film::add_eye_sample(const FilmPosition& film, const Rgb* values, float weight) {
+  if (desc_.one_image) {
+    for (size_t plane = 0; plane < size_t(desc_.planes); ++plane) add_sample(layout_.eye(plane), film, values[plane]);
+    return;
+  }
+  const Rgb& value = values[0];
   const bool ok = fits(value);
   if (!ok) ++rejected_pass_;
   if (own_pixel_) {  // no other thread samples this pixel
     const int x = int(film.x), y = int(film.y);
-    PixelSums& sums = pass_[size_t(y) * size_t(desc_.width) + size_t(x)];
-    if (ok) add_own(sums.eye[0], value.r), add_own(sums.eye[1], value.g), add_own(sums.eye[2], value.b);
-    if (desc_.normalize_by_weights) add_own(sums.weight, weight);
+    Accumulator* sums = &pass_[(size_t(y) * size_t(desc_.width) + size_t(x)) * layout_.size()];
+    if (ok) add_own(sums[0], value.r), add_own(sums[1], value.g), add_own(sums[2], value.b);
+    if (desc_.normalize_by_weights) add_own(sums[layout_.weight()], weight);
     return;
   }
   splat(film, [&](size_t pixel, float h) {
-    PixelSums& sums = pass_[pixel];
-    if (ok) add_rgb(sums.eye, value * h);
-    if (desc_.normalize_by_weights) sums.weight.add_shared(Accumulator::steps(h * weight));
+    Accumulator* sums = &pass_[pixel * layout_.size()];
+    if (ok) add_rgb(sums, value * h);
+    if (desc_.normalize_by_weights) sums[layout_.weight()].add_shared(Accumulator::steps(h * weight));
   });
 }
 
-void Film::add_sample(Accumulator (PixelSums::*image)[3], const FilmPosition& film, const Rgb& value) {
+void Film::add_sample(size_t place, const FilmPosition& film, const Rgb& value) {
   if (!fits(value)) {
     ++rejected_pass_;
     return;
   }
-  splat(film, [&](size_t pixel, float h) { add_rgb(pass_[pixel].*image, value * h); });
+  splat(film, [&](size_t pixel, float h) { add_rgb(&pass_[pixel * layout_.size() + place], value * h); });
 }
-void Film::add_light_sample(const FilmPosition& film, const Rgb& value) { add_sample(&PixelSums::light, film, value); }
-void Film::add_free_eye_sample(const FilmPosition& film, const Rgb& value) { add_sample(&PixelSums::eye, film, value); }
+void Film::add_light_sample(const FilmPosition& film, const Rgb& value, size_t plane) {
+  add_sample(layout_.light(plane), film, value);
+}
+void Film::add_free_eye_sample(const FilmPosition& film, const Rgb& value) { add_sample(layout_.eye(0), film, value); }
 
 void Film::add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value) {
   if (!has_technique(s, t) || !fits(value)) return;
-  TechniqueSums* layer = pyramid_pass_.data() + size_t(technique_index(s, t)) * pixels();
+  RgbSums* layer = pyramid_pass_.data() + size_t(technique_index(s, t)) * pixels();
   splat(film, [&](size_t pixel, float h) { add_rgb(layer[pixel].rgb, value * h); });
 }
 
 void Film::end_pass(uint64_t pass, int row_begin, int row_end) {
   const size_t first = size_t(row_begin) * size_t(desc_.width), last = size_t(row_end) * size_t(desc_.width);
-  PixelSums* group = sums_.data() + size_t(pass_in_group(pass, recipe_.pool_passes, desc_.groups).group) * pixels();
-  for (size_t i = first; i < last; ++i) {
-    for (int c = 0; c < 3; ++c) {
-      group[i].eye[c].add(pass_[i].eye[c]);
-      group[i].light[c].add(pass_[i].light[c]);
-    }
-    group[i].weight.add(pass_[i].weight);
-    pass_[i] = PixelSums{};
+  Accumulator* group =
+      sums_.data() + size_t(pass_in_group(pass, recipe_.pool_passes, desc_.groups).group) * pass_.size();
+  for (size_t i = first * layout_.size(); i < last * layout_.size(); ++i) {
+    group[i].add(pass_[i]);
+    pass_[i] = Accumulator{};
   }
   for (size_t layer = 0; layer < size_t(technique_count()); ++layer)
     for (size_t i = layer * pixels() + first; i < layer * pixels() + last; ++i) {
       for (int c = 0; c < 3; ++c) pyramid_[i].rgb[c].add(pyramid_pass_[i].rgb[c]);
-      pyramid_pass_[i] = TechniqueSums{};
+      pyramid_pass_[i] = RgbSums{};
     }
 }
 
@@ -177,8 +184,8 @@ void Film::commit_pass(uint64_t pass) {
 
 void Film::discard_pass() {
   if (!partial_) return;
-  std::fill(pass_.begin(), pass_.end(), PixelSums{});
-  std::fill(pyramid_pass_.begin(), pyramid_pass_.end(), TechniqueSums{});
+  std::fill(pass_.begin(), pass_.end(), Accumulator{});
+  std::fill(pyramid_pass_.begin(), pyramid_pass_.end(), RgbSums{});
   rejected_pass_ = 0;
   partial_ = false;
 }
@@ -189,12 +196,11 @@ namespace {
 // sampled and as many samples in a pass, |D| / N is one over the number of passes.
 struct Sums {
   double eye[3] = {}, light[3] = {}, weight = 0;
-  void add(const PixelSums& s) {
-    for (int c = 0; c < 3; ++c) {
-      eye[c] += s.eye[c].value();
-      light[c] += s.light[c].value();
-    }
-    weight += s.weight.value();
+  void add(const PixelLayout& layout, const Accumulator* s, size_t plane) {
+    for (size_t c = 0; c < 3; ++c) eye[c] += s[layout.eye(plane) + c].value();
+    if (layout.one_image) return;
+    for (size_t c = 0; c < 3; ++c) light[c] += s[layout.light(plane) + c].value();
+    weight += s[layout.weight()].value();
   }
   double eye_scale(bool by_weights, double passes) const {
     if (by_weights && weight != 0) return weight > 0 ? 1 / weight : 0;
@@ -204,16 +210,17 @@ struct Sums {
 
 }  // namespace
 
-void Film::read_group(int group, size_t pixel, double rgb[3]) const {
+void Film::read_group(int group, size_t pixel, size_t plane, double rgb[3]) const {
   Sums sums;
-  sums.add(sums_[size_t(group) * pixels() + pixel]);
+  sums.add(layout_, sums_of(group, pixel), plane);
   const double passes = double(passes_in_group(group));
   const double scale = sums.eye_scale(desc_.normalize_by_weights, passes);
   for (int c = 0; c < 3; ++c) rgb[c] = sums.eye[c] * scale + (passes > 0 ? sums.light[c] / passes : 0);
 }
 
 void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool include_partial, float* out,
-                size_t row_stride) const {
+                size_t row_stride, int plane_index) const {
+  const size_t plane = size_t(plane_index);
   include_partial = include_partial && partial_;
   const double whole = double(passes() + (include_partial ? recipe_.pool_passes : 0));
   const double per_pass = whole > 0 ? 1 / whole : 0;
@@ -226,8 +233,8 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
     for (int x = rect.x0; x < rect.x1; ++x) {
       const size_t pixel = size_t(y) * size_t(desc_.width) + size_t(x);
       Sums sums;
-      for (int g = 0; g < desc_.groups; ++g) sums.add(sums_[size_t(g) * pixels() + pixel]);
-      if (include_partial) sums.add(pass_[pixel]);
+      for (int g = 0; g < desc_.groups; ++g) sums.add(layout_, sums_of(g, pixel), plane);
+      if (include_partial) sums.add(layout_, &pass_[pixel * layout_.size()], plane);
       const double eye = sums.eye_scale(desc_.normalize_by_weights, whole);
       double rgb[3] = {};
       switch (layer) {
@@ -253,7 +260,7 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
           for (int g = 0; g < desc_.groups; ++g) {
             if (group_passes[size_t(g)] == 0) continue;
             double v[3];
-            read_group(g, pixel, v);
+            read_group(g, pixel, plane, v);
             const double w = group_passes[size_t(g)] / double(passes());
             for (int c = 0; c < 3; ++c) mean[c] += w * v[c], square[c] += w * v[c] * v[c];
           }
@@ -277,19 +284,20 @@ double Film::relative_error() const {
   const auto grey = [](const float* p) { return (double(p[0]) + p[1] + p[2]) / 3; };
   double mean = 0;
   for (size_t i = 0; i < pixels(); ++i) mean += grey(&color[3 * i]);
-  mean /= double(pixels());
+  const double measured = double(desc_.measured > 0 ? desc_.measured : pixels());
+  mean /= measured;
   if (!(mean > 0)) return 0;
   double sum = 0;
   for (size_t i = 0; i < pixels(); ++i) {
     const double m = grey(&color[3 * i]);
     sum += grey(&variance[3 * i]) / (m * m + 0.01 * mean * mean);
   }
-  return std::sqrt(sum / double(pixels()));
+  return std::sqrt(sum / measured);
 }
 
 void Film::clear() {
-  std::fill(sums_.begin(), sums_.end(), PixelSums{});
-  std::fill(pyramid_.begin(), pyramid_.end(), TechniqueSums{});
+  std::fill(sums_.begin(), sums_.end(), Accumulator{});
+  std::fill(pyramid_.begin(), pyramid_.end(), RgbSums{});
   partial_ = true;
   discard_pass();
   ranges_.clear();
@@ -310,13 +318,7 @@ void Film::merge(const Film& source) {
   recipe_ = source.recipe_;
   ranges_ = std::move(united);
   rejected_ += source.rejected_;
-  for (size_t i = 0; i < sums_.size(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      sums_[i].eye[c].add(source.sums_[i].eye[c]);
-      sums_[i].light[c].add(source.sums_[i].light[c]);
-    }
-    sums_[i].weight.add(source.sums_[i].weight);
-  }
+  for (size_t i = 0; i < sums_.size(); ++i) sums_[i].add(source.sums_[i]);
   for (size_t i = 0; i < pyramid_.size(); ++i)
     for (int c = 0; c < 3; ++c) pyramid_[i].rgb[c].add(source.pyramid_[i].rgb[c]);
 }

@@ -16,12 +16,17 @@
 
 namespace bdpt {
 
+inline constexpr int kMaxPlanes = 1024;
+
 struct FilmDesc {
   int width = 1, height = 1;
   FilterDesc filter;
   bool normalize_by_weights = true;  // Veach (10.11); else by the number of samples (10.10)
   int groups = 2;
   int pyramid_edges = 0;
+  int planes = 1;          // measurements of a pixel, three colours each
+  bool one_image = false;  // the eye and the light image in one, scaled by the number of samples; box filter
+  uint64_t measured = 0;   // pixels that measure anything; 0 = all
   uint64_t hash() const;
 };
 
@@ -52,11 +57,19 @@ struct PassRange {
   bool operator==(const PassRange&) const = default;
 };
 
-struct PixelSums {
-  Accumulator eye[3], weight, light[3];
-};
-struct TechniqueSums {
+struct RgbSums {
   Accumulator rgb[3];
+};
+// Where the sums of a pixel stand, one behind another: the eye image, its weight and the light image; or plane by
+// plane, if they are one image.
+struct PixelLayout {
+  explicit PixelLayout(const FilmDesc& desc) : planes(desc.planes), one_image(desc.one_image) {}
+  int planes;
+  bool one_image;
+  size_t size() const { return one_image ? 3 * size_t(planes) : 7; }
+  size_t eye(size_t plane) const { return 3 * plane; }
+  size_t weight() const { return 3; }
+  size_t light(size_t plane) const { return one_image ? 3 * plane : 4; }
 };
 
 enum class FilmLayer { Color, Eye, Light, Variance, Technique };
@@ -86,10 +99,10 @@ class Film {
   void begin(const FilmRecipe& recipe);  // throws Mismatch if the film holds another recipe
   // Thread-safe, but for two eye samples of one pixel. s and t say which image of the pyramid gets the contribution,
   // too.
-  void add_eye_sample(const FilmPosition& film, const Rgb& value) { add_eye_sample(film, value, 1); }
-  // For `weight` samples that find this in the mean; value is their sum.
-  void add_eye_sample(const FilmPosition& film, const Rgb& value, float weight);
-  void add_light_sample(const FilmPosition& film, const Rgb& value);
+  void add_eye_sample(const FilmPosition& film, const Rgb& value) { add_eye_sample(film, &value, 1); }
+  // For `weight` samples that find this in the mean; the values are their sum, one for each plane.
+  void add_eye_sample(const FilmPosition& film, const Rgb* values, float weight);
+  void add_light_sample(const FilmPosition& film, const Rgb& value, size_t plane = 0);
   // Of the eye image, but of no pixel: an eye image of such samples alone is normalised by their number.
   void add_free_eye_sample(const FilmPosition& film, const Rgb& value);
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
@@ -103,8 +116,8 @@ class Film {
   // --- Reading ---
   // Writes 3 floats per pixel to rows `row_stride` floats apart.
   void read(FilmLayer layer, int s, int t, const PixelRect& rect, bool include_partial, float* pixels,
-            size_t row_stride) const;
-  // Square root of the mean relative variance; -1 while unknown.
+            size_t row_stride, int plane = 0) const;
+  // Square root of the mean relative variance of the first plane; -1 while unknown.
   double relative_error() const;
 
   void clear();
@@ -114,7 +127,6 @@ class Film {
   static std::unique_ptr<Film> load(const std::string& path, std::shared_ptr<MemoryMeter> meter);
 
  private:
-  struct Scale;
   int technique_index(int s, int t) const {
     const int k = s + t - 1;
     return (k - 1) * (k + 4) / 2 + s;
@@ -126,8 +138,11 @@ class Film {
   size_t pixels() const { return size_t(desc_.width) * desc_.height; }
   template <class Add>
   void splat(const FilmPosition& film, Add&& add);
-  void add_sample(Accumulator (PixelSums::*image)[3], const FilmPosition& film, const Rgb& value);
-  void read_group(int group, size_t pixel, double rgb[3]) const;
+  void add_sample(size_t place, const FilmPosition& film, const Rgb& value);
+  void read_group(int group, size_t pixel, size_t plane, double rgb[3]) const;
+  const Accumulator* sums_of(int group, size_t pixel) const {
+    return sums_.data() + (size_t(group) * pixels() + pixel) * layout_.size();
+  }
   uint64_t passes_in_group(int group) const;
 
   FilmDesc desc_;
@@ -135,10 +150,11 @@ class Film {
   Booking booking_;
   FilmRecipe recipe_;
   std::vector<PassRange> ranges_;
-  std::vector<PixelSums> sums_;         // groups x pixels
-  std::vector<PixelSums> pass_;         // of the pass in hand
-  std::vector<TechniqueSums> pyramid_;  // techniques x pixels
-  std::vector<TechniqueSums> pyramid_pass_;
+  PixelLayout layout_;
+  std::vector<Accumulator> sums_;  // groups x pixels x layout
+  std::vector<Accumulator> pass_;  // of the pass in hand
+  std::vector<RgbSums> pyramid_;   // techniques x pixels
+  std::vector<RgbSums> pyramid_pass_;
   std::atomic<uint64_t> rejected_pass_{0};
   uint64_t rejected_ = 0;
   bool partial_ = false;

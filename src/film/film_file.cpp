@@ -15,11 +15,11 @@ namespace bdpt {
 namespace {
 
 constexpr char kMagic[8] = {'b', 'd', 'p', 't', 'f', 'i', 'l', 'm'};
-constexpr uint32_t kVersion = 2;
+constexpr uint32_t kVersion = 3;
 constexpr uint32_t kMaxRanges = 1u << 24;
 constexpr uint64_t kMaxPoolPasses = 1u << 16;
 
-static_assert(sizeof(PixelSums) == 7 * 16 && std::is_trivially_copyable_v<PixelSums>);
+static_assert(sizeof(Accumulator) == 16 && std::is_trivially_copyable_v<Accumulator>);
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "film files hold the sums as they are in memory");
 
 class Writer {
@@ -92,13 +92,18 @@ FilmDesc read_desc(Reader& in) {
   const uint32_t by_weights = in.value<uint32_t>();
   d.groups = in.value<int32_t>();
   d.pyramid_edges = in.value<int32_t>();
+  d.planes = in.value<int32_t>();
+  const uint32_t one_image = in.value<uint32_t>();
+  d.measured = in.value<uint64_t>();
   const bool ok = d.width >= 1 && d.width <= 65536 && d.height >= 1 && d.height <= 65536 && type >= 0 && type <= 4 &&
                   d.filter.radius >= 0.5f && d.filter.radius <= 8 && std::isfinite(d.filter.a) &&
                   std::isfinite(d.filter.b) && by_weights <= 1 && d.groups >= 1 && d.groups <= 16 &&
-                  d.pyramid_edges >= 0 && d.pyramid_edges <= 15;
+                  d.pyramid_edges >= 0 && d.pyramid_edges <= 15 && d.planes >= 1 && d.planes <= kMaxPlanes &&
+                  one_image <= 1 && (one_image == 1 || d.planes == 1);
   if (!ok) in.bad("its header says what cannot be");
   d.filter.type = FilterType(type);
   d.normalize_by_weights = by_weights == 1;
+  d.one_image = one_image == 1;
   return d;
 }
 
@@ -133,6 +138,9 @@ void Film::save(const std::string& path) const {
   out.value(uint32_t(desc_.normalize_by_weights));
   out.value(int32_t(desc_.groups));
   out.value(int32_t(desc_.pyramid_edges));
+  out.value(int32_t(desc_.planes));
+  out.value(uint32_t(desc_.one_image));
+  out.value(desc_.measured);
   out.value(recipe_.seed);
   out.value(recipe_.scene_hash);
   out.value(recipe_.options_hash);
@@ -144,8 +152,8 @@ void Film::save(const std::string& path) const {
     out.value(r.begin);
     out.value(r.end);
   }
-  out.bytes(sums_.data(), sums_.size() * sizeof(PixelSums));
-  out.bytes(pyramid_.data(), pyramid_.size() * sizeof(TechniqueSums));
+  out.bytes(sums_.data(), sums_.size() * sizeof(Accumulator));
+  out.bytes(pyramid_.data(), pyramid_.size() * sizeof(RgbSums));
   const uint64_t hash = out.hash();
   file.write(&hash, sizeof(hash));
   file.commit();
@@ -171,12 +179,12 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   std::vector<PassRange> ranges = read_ranges(in, recipe.pool_passes);
   // Before memory is taken for what a damaged header claims.
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height), k = uint64_t(desc.pyramid_edges);
-  const uint64_t bytes =
-      pixels * (sizeof(PixelSums) * uint64_t(desc.groups) + sizeof(TechniqueSums) * (k * (k + 5) / 2));
+  const uint64_t bytes = pixels * (sizeof(Accumulator) * PixelLayout(desc).size() * uint64_t(desc.groups) +
+                                   sizeof(RgbSums) * (k * (k + 5) / 2));
   if (in.remaining() != bytes + sizeof(uint64_t)) in.bad("its length does not fit its header");
   auto film = std::make_unique<Film>(desc, std::move(meter));
-  in.bytes(film->sums_.data(), film->sums_.size() * sizeof(PixelSums));
-  in.bytes(film->pyramid_.data(), film->pyramid_.size() * sizeof(TechniqueSums));
+  in.bytes(film->sums_.data(), film->sums_.size() * sizeof(Accumulator));
+  in.bytes(film->pyramid_.data(), film->pyramid_.size() * sizeof(RgbSums));
   const uint64_t expected = in.hash();
   if (in.value<uint64_t>() != expected) in.bad("its contents were changed");
   film->recipe_ = recipe;

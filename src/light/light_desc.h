@@ -18,6 +18,7 @@ struct LightDesc {
   Rgb radiance;              // environment
   float cos_outer = 0;       // spot: cosine where it is dark
   float cos_inner = 0;       // spot: cosine where it is full, >= cos_outer
+  uint32_t group = 0;        // below 64; outputs may ask for some groups' light
 };
 
 }  // namespace bdpt

@@ -50,6 +50,7 @@ void Lights::add_area(const AreaLight& area) {
   Light light;
   light.kind = area.is_sphere ? Kind::Sphere : Kind::Triangles;
   light.two_sided = area.two_sided;
+  light.group = uint8_t(area.group);
   light.radiance = area.radiance;
   light.inverse_area = 1 / area.area;
   light.center = area.center;
@@ -86,6 +87,7 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
     const LightDesc& o = others_[i];
     Light light;
     light.first = uint32_t(i);
+    light.group = uint8_t(o.group);
     switch (o.type) {
       case LightType::Point:
         all_hittable_ = false;

@@ -68,6 +68,7 @@ class Lights {
   struct AreaLight {
     int instance = -1;
     Rgb radiance;
+    uint32_t group = 0;  // see LightDesc
     bool two_sided = false;
     bool is_sphere = false;
     Vec3 center{0, 0, 0};  // sphere
@@ -84,6 +85,7 @@ class Lights {
   bool empty() const { return by_power_.empty(); }
   bool any_hittable() const { return any_hittable_; }
   bool all_hittable() const { return all_hittable_; }
+  uint32_t group(int light) const { return at(light).group; }
   bool has_environment() const { return environment_ >= 0; }
   int environment() const { return environment_; }
 
@@ -126,6 +128,7 @@ class Lights {
   struct alignas(64) Light {
     Kind kind = Kind::Point;
     bool two_sided = false;
+    uint8_t group = 0;
     uint32_t first = 0;  // of a mesh's triangles in triangles_; index of a light without area in others_
     uint32_t triangles = 0;
     uint32_t first_emitter = 0;

@@ -27,6 +27,7 @@ struct Material {
   bool one_sided = false;
   Rgb emission;
   bool emission_two_sided = false;
+  uint32_t emission_group = 0;  // see LightDesc
 
   bool is_smooth() const { return alpha_u == 0; }
   bool is_anisotropic() const { return alpha_u != alpha_v; }

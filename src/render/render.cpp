@@ -46,6 +46,15 @@ void check_whole_pools(const Engine& engine, const char* field, uint64_t passes)
          " passes at once: give a multiple of ", n);
 }
 
+void check_local(const Sensor& sensor, const TransportOptions& options) {
+  if (!sensor.is_local()) return;
+  if (options.plan && (options.plan->chains || options.plan->chooses))
+    fail(ErrorCode::InvalidArgument, "plan: '", options.plan->name,
+         "' measures pixels of cameras alone: choose another for this sensor");
+  if (options.adaptive != Adaptive::None)
+    fail(ErrorCode::InvalidArgument, "adaptive: it spreads samples over the pixels of cameras alone: leave it 0");
+}
+
 }  // namespace
 
 // What advance() knows of its own call.
@@ -106,6 +115,9 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
   if (sensor_->width() != film_->desc().width || sensor_->height() != film_->desc().height)
     fail(ErrorCode::Mismatch, "film: it is ", film_->desc().width, " x ", film_->desc().height, ", the sensor ",
          sensor_->width(), " x ", sensor_->height());
+  if (sensor_->is_local() != film_->desc().one_image || sensor_->planes() != film_->desc().planes)
+    fail(ErrorCode::Mismatch, "film: it was created for another kind of sensor, or for other outputs");
+  check_local(*sensor_, desc.transport);
   if (!film_->acquire()) fail(ErrorCode::InUse, "film: another render fills it; destroy that first");
   try {
     engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);

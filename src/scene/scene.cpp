@@ -59,6 +59,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
                              m.alpha_u,       m.alpha_v,       m.emission.r,    m.emission.g, m.emission.b};
     add(numbers);
     h = hash_combine(h, hash_values(int(m.type), m.reflectance_texture, m.one_sided, m.emission_two_sided));
+    if (m.emission_group > 0) h = hash_combine(h, m.emission_group);
   }
   for (const LightDesc& l : desc.lights) {
     const float numbers[] = {l.position.x,  l.position.y,  l.position.z,  l.direction.x, l.direction.y,
@@ -66,6 +67,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
                              l.radiance.g,  l.radiance.b,  l.cos_outer,   l.cos_inner};
     add(numbers);
     h = hash_combine(h, uint64_t(l.type));
+    if (l.group > 0) h = hash_combine(h, l.group);
   }
   for (const InstanceDesc& i : desc.instances) {
     add(i.transform.m);
@@ -193,6 +195,7 @@ void Scene::collect_lights() {
     light.instance = int(i);
     light.radiance = instance.material->emission;
     light.two_sided = instance.material->emission_two_sided;
+    light.group = instance.material->emission_group;
     if (instance.sphere) {
       grow(low, high, instance.center - Vec3(instance.radius));
       grow(low, high, instance.center + Vec3(instance.radius));
@@ -265,6 +268,22 @@ bool Scene::triangle_surface(const Instance& instance, uint32_t primitive, float
     }
   }
   return true;
+}
+
+int Scene::find_instance(uint64_t id) const {
+  for (size_t i = 0; i < desc_.instances.size(); ++i)
+    if (desc_.instances[i].id == id) return int(i);
+  return -1;
+}
+
+double Scene::triangle_area(uint32_t instance, uint32_t primitive) const {
+  const Instance& i = instances_[instance];
+  const Triangle t = i.mesh->triangles[primitive];
+  const auto corner = [&](uint32_t v) {
+    return Imath::V3d(i.world_positions.empty() ? i.transform.point(i.mesh->positions[v]) : i.world_positions[v]);
+  };
+  const Imath::V3d a = corner(t.a);
+  return 0.5 * (corner(t.b) - a).cross(corner(t.c) - a).length();
 }
 
 bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {

@@ -46,6 +46,19 @@ class Scene {
   const Lights& lights() const { return lights_; }
   const SceneInfo& info() const { return info_; }
 
+  // --- For sensors on surfaces ---
+  size_t instance_count() const { return instances_.size(); }
+  // Index of the instance with the host's id; -1 if there is none.
+  int find_instance(uint64_t id) const;
+  uint64_t instance_id(uint32_t instance) const { return desc_.instances[instance].id; }
+  const std::string& instance_label(uint32_t instance) const { return desc_.instances[instance].label; }
+  const Mesh* mesh(uint32_t instance) const { return instances_[instance].mesh; }  // nullptr for a sphere
+  double triangle_area(uint32_t instance, uint32_t primitive) const;               // in the world
+  // The geometry at a point of a mesh; false where it is too degenerate to have a normal.
+  bool point(uint32_t instance, uint32_t primitive, float u, float v, Surface& surface) const {
+    return triangle_surface(instances_[instance], primitive, u, v, surface);
+  }
+
   // The surface at a hit of a ray; false where its geometry is too degenerate to have a normal.
   bool surface(const Ray& ray, const Hit& hit, Surface& surface) const;
 

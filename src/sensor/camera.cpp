@@ -65,7 +65,7 @@ EyeStart Camera::start(const FilmPosition& film, const float lens[2], const Pixe
     s.direction = through * desc_.focus_distance - on_lens;
   }
   s.direction = unit(s.direction);
-  const float cosine = dot(s.direction, forward_);
+  const float cosine = s.cosine = dot(s.direction, forward_);
   const float area = float(bounds.count()) * pixel_ * pixel_;
   s.density_position = 1 / lens_area_;
   s.density_direction = 1 / (area * sqr(sqr(cosine)));

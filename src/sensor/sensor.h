@@ -1,34 +1,77 @@
 // Sensors: what is measured. A sensor starts eye subpaths, is seen by light subpaths, and maps both to measurements.
 // After Veach, W_e is split into W_e^(0) (position) and W_e^(1) (direction), and the directional part is treated as a
-// BSDF at z0, with densities per projected solid angle. The engine never asks which kind a sensor is.
+// BSDF at z0, with densities per projected solid angle. The engine never asks which kind a sensor is, but for this:
+//
+//   A camera's measurements share its z0, and a direction says which pixel is meant: t = 1 and t = 0 are global, every
+//   light subpath may count for every pixel.
+//   Of a local sensor (texels, points, probes) each measurement has a z0 of its own: t = 1 joins light subpaths to the
+//   z0 of an eye subpath, like any other vertex of it, and (1,1) is direct lighting at z0. Only t = 0 is global.
 #pragma once
 
 #include "math/vec.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace bdpt {
 
 // Where on the film, in pixels of the region measured; may lie outside by the filter's radius.
 using FilmPosition = Vec2;
 
+// z0 of a sensor on a surface or in space.
+struct SensorPlace {
+  FilmPosition film{0, 0};
+  Vec3 p{0, 0, 0}, normal{0, 0, 0};  // z0, and the unit normal of the lens or the surface; zero for a point in space
+  Vec3 shading{0, 0, 0};             // of a surface: its shading normal
+};
+
 // z0 and the first direction of an eye subpath.
-struct EyeStart {
-  FilmPosition film;
-  Vec3 p, normal;           // z0, and the unit normal of the lens
-  Vec3 direction;           // unit
-  float density_position;   // P_A(z0); of a pinhole the Dirac's coefficient, 1
-  float density_direction;  // P_sigma-perp(z0 -> z1)
-  float weight;             // alpha_2 = W_e / (P_A P_sigma-perp)
+struct EyeStart : SensorPlace {
+  Vec3 direction;             // unit
+  float cosine;               // of direction with normal; 1 for a point in space
+  float density_position;     // P_A(z0); of a pinhole the Dirac's coefficient, 1
+  float density_direction;    // P_sigma-perp(z0 -> z1)
+  float weight;               // alpha_2 = W_e / (P_A P_sigma-perp)
+  float weight_position = 1;  // alpha_1 = W_e^(0) / P_A
+  float margin = 0;           // of a surface: see off_surface()
 };
 
 // z0 as seen from a point (t = 1), or as hit by a light segment (t = 0).
-struct SensorPoint {
-  FilmPosition film;
-  Vec3 p, normal;
+struct SensorPoint : SensorPlace {
   float importance;         // W_e(x -> z0)
   float density_position;   // P_A(z0)
   float density_direction;  // P_sigma-perp(z0 -> x)
+};
+
+// A measurement, and the four uniform numbers of a sample of it.
+struct SamplePlace {
+  int x, y;
+  float u[4];
+};
+
+// A direction in which the z0 of a local sensor looks.
+struct SensorDirection {
+  float importance;  // W_e^(1)
+  float density;     // P_sigma-perp
+  float cosine;      // with z0's normal; 1 for a point in space
+};
+
+// A surface of the scene where light arrives, as the ray queries name it.
+struct Landing {
+  uint32_t instance, primitive;
+  uint64_t id;  // the host's, of the instance
+  float u, v;   // barycentric coordinates of the triangle's second and third vertex
+  Vec3 p, ng, ns;
+  Vec3 direction;  // unit, of the light
+};
+
+// A part of what a measurement is asked for: some planes of the film, and the light that counts for them.
+struct OutputPlanes {
+  int first = 0, count = 1;             // planes
+  bool direct = true, indirect = true;  // light that comes straight from where it is emitted; all else
+  uint64_t groups = ~0ull;              // of lights, one bit each
+  bool is_all() const { return direct && indirect && groups == ~0ull; }
+  bool takes(uint32_t edges, uint32_t group) const { return (edges == 1 ? direct : indirect) && (groups >> group & 1); }
 };
 
 // Pixels [x0, x1) x [y0, y1), in film coordinates.
@@ -48,14 +91,50 @@ class Sensor {
   virtual bool is_hittable() const = 0;
   virtual uint64_t hash() const = 0;
 
+  // --- Cameras ---
   // Starts an eye subpath at a film position with two uniform numbers for the lens. The film positions of a pass lie
   // evenly in `bounds`, which enters W_e and the density of directions: a pixel's value is the mean over its filter.
-  virtual EyeStart start(const FilmPosition& film, const float lens[2], const PixelRect& bounds) const = 0;
+  virtual EyeStart start(const FilmPosition&, const float[2], const PixelRect&) const { return {}; }
   // Chooses z0 for t = 1; false where x is not in the picture.
-  virtual bool sample_toward(const Vec3& x, const float lens[2], const PixelRect& bounds, SensorPoint& z0) const = 0;
+  virtual bool sample_toward(const Vec3&, const float[2], const PixelRect&, SensorPoint&) const { return false; }
   // t = 0: whether the segment from origin along the unit direction, up to tmax, passes through the sensor.
-  virtual bool hit(const Vec3& origin, const Vec3& direction, float tmax, const PixelRect& bounds,
-                   SensorPoint& z0) const = 0;
+  virtual bool hit(const Vec3&, const Vec3&, float, const PixelRect&, SensorPoint&) const { return false; }
+
+  // --- What is measured: planes of the film. `start` measures the base; outputs are multiples of it. ---
+  int planes() const { return outputs().back().first + outputs().back().count; }
+  virtual const std::vector<OutputPlanes>& outputs() const { return kOne; }
+  // Whether there is one plane, and it is the base.
+  bool is_plain() const {
+    return outputs().size() == 1 && outputs()[0].is_all() && outputs()[0].count == 1 && !responds();
+  }
+  virtual bool responds() const { return false; }
+  // W_e of each plane for light from direction w (unit, from z0), over that of the base.
+  virtual void respond(const SensorPlace&, const Vec3&, float* response) const { *response = 1; }
+
+  // --- Local sensors ---
+  virtual bool is_local() const { return false; }
+  // Measurements that are no pixels need not fill the film. The number of those before this one; -1 for none here.
+  virtual int64_t number(int x, int y) const { return int64_t(y) * width() + x; }
+  virtual uint64_t count() const { return uint64_t(width()) * uint64_t(height()); }
+  // The place of measurement `number`, below count().
+  virtual void find(uint64_t number, int& x, int& y) const {
+    x = int(number % uint64_t(width())), y = int(number / uint64_t(width()));
+  }
+  // Starts an eye subpath of one of them with four uniform numbers: place 2, direction 2.
+  virtual EyeStart start_at(int, int, const float[4]) const { return {}; }
+  virtual void start_many(size_t n, const SamplePlace* places, EyeStart* starts) const {
+    for (size_t i = 0; i < n; ++i) starts[i] = start_at(places[i].x, places[i].y, places[i].u);
+  }
+  // Whether directions can be asked for: without look() there is no t = 1.
+  virtual bool can_look() const { return true; }
+  // W_e^(1) of z0 and the density in a direction w (unit); false where nothing is measured.
+  virtual bool look(const EyeStart&, const Vec3&, SensorDirection&) const { return false; }
+  // t = 0 on a surface of the scene.
+  virtual bool is_surface() const { return false; }
+  virtual bool land(const Landing&, SensorPoint&) const { return false; }
+
+ private:
+  inline static const std::vector<OutputPlanes> kOne{OutputPlanes{}};
 };
 
 }  // namespace bdpt

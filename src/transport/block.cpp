@@ -11,11 +11,14 @@ constexpr size_t kConnectionsInFlight = 1024;
 
 }  // namespace
 
+Block::Block(const Engine& engine)
+    : engine_(engine), strategy_(&engine.strategy), max_edges_(engine.max_edges()), responses_(engine.sensor) {}
+
 void Block::run(uint64_t pass, const PixelRect& rect, const LightPool* pool) {
   pool_ = pool;
   seed_ = hash_values(engine_.seed, 5, pass, rect.x0, rect.y0);
   if (engine_.plan.run) {
-    stats_.samples += engine_.pool_passes * uint64_t(rect.x1 - rect.x0) * uint64_t(rect.y1 - rect.y0);
+    stats_.samples += engine_.pool_passes * rect.count();
     return engine_.plan.run(*this, pass, rect);
   }
   start_pixels(pass, engine_.pool_passes, rect);
@@ -46,7 +49,8 @@ void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpat
 void Block::start(size_t eyes, size_t lights) {
   eye_.reset(eyes);
   light_.reset(lights);
-  eye_sums_.assign(eyes, Rgb());
+  eye_sums_.assign(eyes * responses_.planes(), Rgb());
+  responses_.reset(eyes);
   eye_weights_.assign(eyes, 1);
   roulette_key_ = ~0ull;
   walkers_.clear();
@@ -62,6 +66,7 @@ void Block::choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect
     const PassInGroup in_group = engine_.in_group(p);
     for (int y = rect.y0; y < rect.y1; ++y)
       for (int x = rect.x0; x < rect.x1; ++x) {
+        if (engine_.local && engine_.sample_number(x, y) < 0) continue;
         if (one_each) {
           pixel_samples_.push_back({p, x, y});
           continue;
@@ -83,40 +88,74 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
   const uint32_t lights = engine_.max_light > 0 && !pool_ ? uint32_t(engine_.options.light_samples) : 0;
   // A subpath of one vertex more than the path's edges ends on the other side's first vertex.
   const uint32_t most_eye = max_edges_ < engine_.max_eye ? max_edges_ + 1 : engine_.max_eye,
-                 most_light = max_edges_ < engine_.max_light ? max_edges_ + engine_.hit_sensor : engine_.max_light;
+                 most_light = max_edges_ < engine_.max_light ? max_edges_ + (engine_.hit_sensor || engine_.land)
+                                                             : engine_.max_light;
   start(pixel_samples_.size(), pixel_samples_.size() * lights);
+  places_.clear();
   for (uint32_t sample = 0; sample < pixel_samples_.size(); ++sample) {
     const auto& [p, x, y] = pixel_samples_[sample];
     const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
     const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
     const Four u = engine_.draw_film(stream, p, number);
-    start_eye(sample, {within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, most_eye);
+    if (engine_.local)
+      places_.push_back({x, y, {u[0], u[1], u[2], u[3]}});
+    else
+      start_eye(sample, engine_.sensor.start({within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, bounds),
+                most_eye);
+    const uint64_t first = uint64_t(engine_.sample_number(x, y)) * lights;
     for (uint32_t l = 0; l < lights; ++l) {
-      light_.streams[sample * lights + l] = engine_.light_stream(p, number * lights + l);
+      light_.streams[sample * lights + l] = engine_.light_stream(p, first + l);
       start_light(sample * lights + l, most_light);
     }
     if (pass < kPilotPass) eye_weights_[sample] = float(1 / engine_.rates.rate(x, y));
   }
+  if (!engine_.local) return;
+  engine_.sensor.start_many(places_.size(), places_.data(), eye_.starts.data());
+  for (uint32_t sample = 0; sample < places_.size(); ++sample) start_eye(sample, eye_.starts[sample], most_eye);
 }
 
-void Block::start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most) {
-  EyeStart& z0 = eye_.starts[sample];
-  z0 = engine_.sensor.start(film, lens, engine_.bounds);
+void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
+  EyeStart& z0 = eye_.starts[sample] = start;
+  if (!std::isfinite(z0.weight)) {  // what a host's measurement started cannot be used
+    ++stats_.rejected;
+    z0.weight_position = 0;
+    return;
+  }
+  uint32_t index = kNoVertex;
+  if (engine_.local && keeps_vertices()) {
+    index = eye_.last[sample] = uint32_t(eye_.vertices.size());
+    eye_.vertices.push_back(sensor_vertex(sample));
+  }
   if (most < 2) return;
   Walker w{};
   w.eye = true;
   w.origin = z0.p;
-  w.cosine = absdot(z0.normal, z0.direction);
+  w.normal = z0.normal;
+  w.cosine = z0.cosine;
   w.direction = z0.direction;
   w.projected = z0.density_direction;
   w.throughput = Rgb(z0.weight);
   w.density = z0.density_position;
   w.sums = strategy_->classes.t0;  // u_0: t = 0
-  w.vertex = kNoVertex;
+  w.vertex = index;
   w.count = 1;
   w.most = most;
   w.sample = sample;
-  push_walker(walkers_, rays_, w, z0.p);
+  push_walker(walkers_, rays_, w, off_surface(z0.p, z0.normal, z0.margin, z0.direction));
+}
+
+Vertex Block::sensor_vertex(uint32_t sample) const {
+  const EyeStart& z0 = eye_.starts[sample];
+  Vertex z{};
+  z.p = z0.p;
+  z.density = z0.density_position;
+  z.ng = z.ns = z0.normal;
+  z.technique = strategy_->classes.t0;
+  z.throughput = Rgb(z0.weight_position);
+  z.previous_index = kNoVertex;
+  z.count = 1;
+  z.margin = z0.margin;
+  return z;
 }
 
 void Block::start_light(uint32_t light, uint32_t most) {
@@ -138,6 +177,7 @@ void Block::start_light(uint32_t light, uint32_t most) {
   w.density = y0.density_position;
   w.start_hittable = y0.y0.has_area || y0.y0.infinite;
   w.start_finite = !y0.y0.infinite;
+  w.group = uint8_t(engine_.scene.lights().group(y0.y0.light));
   w.sums = w.outer = w.start_hittable ? engine_.strategy.classes.s0 : 0;  // u_0: s = 0
   w.vertex = kNoVertex;
   w.count = 1;
@@ -181,10 +221,14 @@ void Block::shadow() {
     if (engine_.tells_shares) shares_ = connection_shares_[i];
     if (blocked_[i])
       ++stats_.shadow_rays_blocked, ++techniques_.at(c.s, c.t).shadow_rays_blocked;
-    else if (c.t >= 2)
-      add_eye(c.sample, c.s, c.t, c.contribution);
-    else
-      add_light(c.sample, c.film, c.s, c.t, c.contribution);
+    else if (!engine_.belongs_to_eye(c.t))
+      add_light(c.sample, c.film, c.s, c.t, c.contribution, c.group);
+    else if (c.t >= 2 || responses_.is_plain())
+      add_eye(c.sample, c.s, c.t, c.contribution, c.group);
+    else {  // the ray leaves z_0 if s = 1, else it comes there
+      const Vec3 w = unit(shadow_rays_[i].direction) * (c.s == 1 ? 1.0f : -1.0f);
+      add_eye(c.sample, c.s, c.t, c.contribution, c.group, &w);
+    }
   }
   shadow_rays_.clear();
   connections_.clear();
@@ -193,11 +237,12 @@ void Block::shadow() {
 
 void Block::accumulate() {
   StageTimer timer(stats_.accumulate);
-  for (size_t i = 0; i < eye_sums_.size(); ++i)
-    engine_.film.add_eye_sample(eye_.starts[i].film, eye_sums_[i], eye_weights_[i]);
+  const size_t planes = responses_.planes();
+  for (size_t i = 0; i < eye_weights_.size(); ++i)
+    engine_.film.add_eye_sample(eye_.starts[i].film, &eye_sums_[i * planes], eye_weights_[i]);
 }
 
-void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution) {
+void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution, uint32_t group, const Vec3* w) {
   if (!is_finite(contribution)) {
     ++stats_.rejected;
     return;
@@ -208,12 +253,22 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribu
     kept_.push_back({value, eye_.starts[sample].film, sample, s, t, shares_});
     return;
   }
-  eye_sums_[sample] += value;
-  if (engine_.film.desc().pyramid_edges > 0)
-    engine_.film.add_technique_sample(int(s), int(t), eye_.starts[sample].film, value);
+  const EyeStart& z0 = eye_.starts[sample];
+  const bool pyramid = engine_.film.desc().pyramid_edges > 0;
+  const auto add = [&](size_t plane, float factor) {
+    eye_sums_[sample * responses_.planes() + plane] += value * factor;
+    if (pyramid && plane == 0) engine_.film.add_technique_sample(int(s), int(t), z0.film, value * factor);
+  };
+  if (responses_.is_plain())
+    add(0, 1);
+  else if (w)
+    responses_.each(z0, *w, s + t - 1, group, add);
+  else
+    responses_.each(sample, z0, s + t - 1, group, add);
 }
 
-void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution) {
+void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution,
+                      uint32_t group, const SensorPlace* z0, const Vec3* w) {
   if (!is_finite(contribution)) {
     ++stats_.rejected;
     return;
@@ -224,22 +279,30 @@ void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint
     kept_.push_back({value, film, light, s, t, shares_});
     return;
   }
-  engine_.film.add_light_sample(film, value);
-  if (engine_.film.desc().pyramid_edges > 0) engine_.film.add_technique_sample(int(s), int(t), film, value);
+  const bool pyramid = engine_.film.desc().pyramid_edges > 0;
+  const auto add = [&](size_t plane, float factor) {
+    engine_.film.add_light_sample(film, value * factor, plane);
+    if (pyramid && plane == 0) engine_.film.add_technique_sample(int(s), int(t), film, value * factor);
+  };
+  if (responses_.is_plain())
+    add(0, 1);
+  else
+    responses_.each(z0 ? *z0 : SensorPlace{}, w ? *w : Vec3(0), s + t - 1, group, add);
 }
 
 void Block::push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
-                            const FilmPosition& film) {
+                            uint32_t group, const FilmPosition& film) {
   TechniqueStats& technique = techniques_.at(s, t);
   ++technique.contributions;
   Rgb c = contribution;
-  if (engine_.roulette.plays() && !survives(c, sample, s, t, t == 1 ? film : eye_.starts[sample].film)) {
+  if (engine_.roulette.plays() &&
+      !survives(c, sample, s, t, engine_.belongs_to_eye(t) ? eye_.starts[sample].film : film)) {
     ++stats_.shadow_rays_skipped, ++technique.shadow_rays_skipped;
     return;
   }
   ++technique.shadow_rays;
   shadow_rays_.push_back(ray);
-  connections_.push_back({c, film, sample, s, t});
+  connections_.push_back({c, film, sample, s, t, uint8_t(group)});
   if (engine_.tells_shares) connection_shares_.push_back(shares_);
 }
 
@@ -247,7 +310,7 @@ bool Block::survives(Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
   const float q = engine_.roulette.probability(film, contribution);
   if (q == 1) return true;
   // A number for each connection of a vertex.
-  const bool eye = t != 1;
+  const bool eye = engine_.belongs_to_eye(t);
   const uint64_t key = uint64_t(sample) << 32 | uint64_t(eye ? t : s) << 1 | (eye ? 1 : 0);
   roulette_number_ = key == roulette_key_ ? roulette_number_ + 1 : 0;
   roulette_key_ = key;
@@ -275,8 +338,10 @@ size_t Block::memory() const {
   return eye_.memory() + light_.memory() + (walkers_.capacity() + next_walkers_.capacity()) * sizeof(Walker) +
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
-         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * (sizeof(Rgb) + sizeof(float)) +
-         pixel_samples_.capacity() * sizeof(PixelSample) + kept_.capacity() * sizeof(Contribution) + plan_memory_;
+         arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb) +
+         eye_weights_.capacity() * sizeof(float) + responses_.memory() +
+         pixel_samples_.capacity() * sizeof(PixelSample) + places_.capacity() * sizeof(SamplePlace) +
+         kept_.capacity() * sizeof(Contribution) + plan_memory_;
 }
 
 }  // namespace bdpt

@@ -11,6 +11,7 @@
 
 #include "transport/chain.h"
 #include "transport/mis.h"
+#include "transport/responses.h"
 #include "transport/vertex.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ struct Contribution {
 
 class Block {
  public:
-  explicit Block(const Engine& engine) : engine_(engine), strategy_(&engine.strategy), max_edges_(engine.max_edges()) {}
+  explicit Block(const Engine& engine);
   // The samples of some pixels, from the first vertex into the film. With a pool, eye subpaths alone.
   void run(uint64_t pass, const PixelRect& rect, const LightPool* pool = nullptr);
   // The light subpaths [first, first + count) of a pass, kept for a pool; those ends of theirs that need no eye subpath
@@ -93,7 +94,7 @@ class Block {
   bool allows(const Vertex& y, const Vertex& z) const { return allows(y.count, z.count); }
   // The same for subpaths of one sample, which may be a chain's and then takes one technique alone.
   bool takes(uint32_t s, uint32_t t, uint32_t sample) const {
-    return s + t - 1 <= max_edges_ && (t >= 2 ? *strategy_ : engine_.strategy).allows(s, t) &&
+    return s + t - 1 <= max_edges_ && (engine_.belongs_to_eye(t) ? *strategy_ : engine_.strategy).allows(s, t) &&
            (!chains_ || chains_[sample].proposes(s, t));
   }
   // s >= 2, t >= 2; y is one of as many as `count` says that z meets. light: what y's links point into.
@@ -136,6 +137,7 @@ class Block {
     uint32_t most;    // vertices that the subpath may have
     uint32_t sample;  // number of the subpath within its side
     bool eye, specular, infinite, start_hittable, start_finite;
+    uint8_t group;  // light side: of y_0's light
   };
   // A vertex that was just made.
   struct Arrival {
@@ -149,8 +151,9 @@ class Block {
   };
   struct Connection {
     Rgb contribution;
-    FilmPosition film;  // t = 1
+    FilmPosition film;  // t = 1 of a camera
     uint32_t sample, s, t;
+    uint8_t group;  // of the light
   };
   // How the connecting edge, and what it changes beyond, is sampled from both sides; see path_weight.
   struct Edge {
@@ -166,9 +169,14 @@ class Block {
   void start(size_t eyes, size_t lights);
   void choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect);
   void start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect);
-  void start_eye(uint32_t sample, const FilmPosition& film, const float lens[2], uint32_t most);
+  void start_eye(uint32_t sample, const EyeStart& start, uint32_t most);
+  // The z_0 of a local sensor.
+  Vertex sensor_vertex(uint32_t sample) const;
+  // f_s at z for light from w (unit), and the cosine there.
+  bool scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, Scattering& scattering, float& cosine) const;
   void start_light(uint32_t light, uint32_t most);
   FilmPosition spread(const Four& u) const;
+  EyeStart start_anywhere(const Four& u) const;
   // The contributions of some work, kept instead of added to the film.
   template <class Work>
   const std::vector<Contribution>& keep(Work&& work);
@@ -183,25 +191,33 @@ class Block {
   void arrive(const Walker& walker, const Ray& ray, const Hit& hit);
   void escape(const Walker& walker);
   void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
+  void land(const Walker& walker, const Hit& hit, const Vertex& y);
+  // t = 0 at z_0, with the edge of the light subpath there and its density.
+  void add_arrival(const Walker& walker, const SensorPoint& z0, float geometry, float density);
   void hit_light(const Walker& walker, const Vertex& z, const LightPoint& x0, const Rgb& radiance);
   void continue_walk(const Walker& walker, Vertex& vertex, uint32_t index);
   void connect_ends();
   // s = 1: joins z to fresh light vertices.
   void connect_to_light(const Vertex& z, uint32_t sample);
   // The weighted contribution of one of them, but for its visibility and their number.
-  Rgb direct_contribution(const Vertex& z, const DirectLight& light);
+  Rgb direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light);
   // t = 1: joins y to a fresh sensor vertex.
   void connect_to_sensor(const Vertex& y, uint32_t light);
+  // t = 1 of a local sensor: joins y to the z_0 of the eye subpath that it belongs to.
+  void connect_to_own_start(const Vertex& y, uint32_t light);
   // (1,1): joins y_0 to a fresh sensor vertex.
   void connect_start_to_sensor(uint32_t light);
   void shadow();
   void accumulate();
 
   float technique(const Walker& walker, const Vertex& vertex) const;
-  void add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution);
-  void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution);
+  // w: from z_0 to where the light comes from, if that is not the eye subpath's first direction.
+  void add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution, uint32_t group,
+               const Vec3* w = nullptr);
+  void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution,
+                 uint32_t group, const SensorPlace* z0 = nullptr, const Vec3* w = nullptr);
   void count(uint32_t s, uint32_t t, const Rgb& value);
-  void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
+  void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, uint32_t group,
                        const FilmPosition& film = {0, 0});
   // The shadow ray's roulette; the contribution of a survivor grows.
   bool survives(Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, const FilmPosition& film);
@@ -221,8 +237,10 @@ class Block {
   std::vector<Contribution> kept_;
   uint64_t seed_ = 0;
   std::vector<PixelSample> pixel_samples_;
+  std::vector<SamplePlace> places_;  // of the samples of a local sensor
   size_t plan_memory_ = 0;
-  std::vector<Rgb> eye_sums_;
+  Responses responses_;
+  std::vector<Rgb> eye_sums_;  // samples x planes
   std::vector<float> eye_weights_;
   std::vector<Walker> walkers_, next_walkers_;
   std::vector<Ray> rays_, next_rays_;

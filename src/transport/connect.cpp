@@ -17,8 +17,9 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   if (!(d2 > 0)) return;
   const Vec3 w = edge * (1 / std::sqrt(d2));
   Scattering at_y, at_z;
-  if (!scatter(y, w, TransportMode::Importance, at_y) || !scatter(z, -w, TransportMode::Radiance, at_z)) return;
-  const float geometry = absdot(y.ng, w) * absdot(z.ng, w) / d2;
+  float z_cosine;
+  if (!scatter(y, w, TransportMode::Importance, at_y) || !scatter_to_eye(z, sample, -w, at_z, z_cosine)) return;
+  const float geometry = absdot(y.ng, w) * z_cosine / d2;
   Rgb c = y.throughput * at_y.f * (at_z.f * z.throughput) * geometry;  // (10.8)
   if (is_black(c)) return;
 
@@ -35,7 +36,20 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   }
   c *= weight / count;
   if (is_black(c)) return;
-  push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count, z.count);
+  push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count, z.count, y.group);
+}
+
+bool Block::scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, Scattering& scattering,
+                           float& cosine) const {
+  if (!z.is_sensor()) {
+    cosine = absdot(z.ng, w);
+    return scatter(z, w, TransportMode::Radiance, scattering);
+  }
+  SensorDirection toward;
+  if (!engine_.sensor.look(eye_.starts[sample], w, toward)) return false;
+  scattering = {Rgb(toward.importance), toward.density, 0};
+  cosine = toward.cosine;
+  return true;
 }
 
 void Block::connect_to_light(const Vertex& z, uint32_t sample) {
@@ -64,7 +78,7 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
         const double choice = (double(k * samples + i) + join(u[0], u[3])) / strata;
         ++stats_.connections;
         if (!lighting.sample(x, turn, choice, u[1], u[2], candidate)) continue;
-        const Rgb c = direct_contribution(z, candidate);
+        const Rgb c = direct_contribution(z, sample, candidate);
         if (is_black(c)) continue;
         sum += norm(c);
         const double q = double(norm(c)) / double(sum);
@@ -80,20 +94,21 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
       // Its probability was its part of the sum.
       const Rgb c = strata == 1 ? kept : kept * (sum / (norm(kept) * float(strata)));
       const Vec3 w = light.direction, from = off_surface(z, w);
+      const uint32_t group = engine_.scene.lights().group(light.y0.light);
       if (light.y0.infinite)
-        push_connection({from, kInfinity, w}, c, sample, 1, z.count);
+        push_connection({from, kInfinity, w}, c, sample, 1, z.count, group);
       else
-        push_connection(between(from, off_surface(light.y0, -w)), c, sample, 1, z.count);
+        push_connection(between(from, off_surface(light.y0, -w)), c, sample, 1, z.count, group);
     }
 }
 
-Rgb Block::direct_contribution(const Vertex& z, const DirectLight& light) {
+Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light) {
   const Lights& lights = engine_.scene.lights();
   const LightPoint& y0 = light.y0;
   const Vec3 w = light.direction;
   Scattering at_z;
-  if (!scatter(z, w, TransportMode::Radiance, at_z)) return Rgb();
-  const float z_cosine = absdot(z.ng, w);
+  float z_cosine;
+  if (!scatter_to_eye(z, sample, w, at_z, z_cosine)) return Rgb();
   const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
   const float geometry = y0.infinite ? z_cosine : z_cosine * y_cosine / (light.distance * light.distance);
   const Rgb c = z.throughput * at_z.f * light.radiance * (geometry / light.density);
@@ -114,8 +129,13 @@ Rgb Block::direct_contribution(const Vertex& z, const DirectLight& light) {
   e.light_at_z = direction * geometry;
   e.light_before_z = at_z.previous * z.geometry;
   const PathVertex start{position, at_z.next * geometry, false};
-  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable, !y0.infinite,
-                         light_, *strategy_);
+  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable,
+                         engine_.local || !y0.infinite, light_, *strategy_);
+}
+
+void Block::connect_to_own_start(const Vertex& y, uint32_t light) {
+  const uint32_t n = uint32_t(engine_.options.light_samples), sample = light / n;
+  if (eye_.starts[sample].weight_position != 0) connect(y, sensor_vertex(sample), sample, float(n), light_);
 }
 
 void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
@@ -153,7 +173,7 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   }
   c *= weight / strategy.counts.light;
   if (is_black(c)) return;
-  push_connection(between(off_surface(y, w), z0.p), c, light, y.count, 1, z0.film);
+  push_connection(between(off_surface(y, w), z0.p), c, light, y.count, 1, y.group, z0.film);
 }
 
 void Block::connect_start_to_sensor(uint32_t light) {
@@ -192,7 +212,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
   c *= weight / strategy.counts.light;
   if (is_black(c)) return;
   const Vec3 from = off_surface(y0, w);
-  push_connection(between(from, z0.p), c, light, 1, 1, z0.film);
+  push_connection(between(from, z0.p), c, light, 1, 1, lights.group(y0.light), z0.film);
 }
 
 float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,
@@ -222,6 +242,7 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
     for (uint32_t i = s;; ++i) {
       path_[i] = {light, z->density, i > 0 && z->specular};  // x_0 emits, whatever it does with other light
       light = light_before;
+      if (z->count == 1) break;
       if (z->previous_index == kNoVertex) {
         path_[i + 1] = {light, z->previous_density, false};
         break;

@@ -18,10 +18,11 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
       bounds(film_.sample_bounds()),
       seed(seed_),
       plan(options_.plan ? *options_.plan : *kPlans[0]),
+      local(sensor_.is_local()),
       heuristic(options_.heuristic == Heuristic::Balance ? 1 : options_.beta) {
   // What cannot be: a sensor that light cannot hit, a scene whose lights cannot be hit.
   for (uint32_t& row : options.techniques.rows)
-    if (!sensor.is_hittable()) row &= ~1u;
+    row &= ~((sensor.is_hittable() ? 0u : 1u) | (local && !sensor.can_look() ? 2u : 0u));
   if (!scene.lights().any_hittable()) options.techniques.rows[0] = 0;
 
   pool_passes = plan.passes == 1 ? 1 : options.pool_passes > 0 ? uint64_t(options.pool_passes) : plan.passes;
@@ -47,10 +48,12 @@ void Engine::limit_subpaths() {
       if (s + t < 2 || s + t - 1 > k || !mask.allows(int(s), int(t))) continue;
       const bool more = k == kUnlimited;  // 31 stands for all that follow
       if (t >= 2) max_eye = std::max(max_eye, t == 31 ? (more ? kUnlimited : k + 1 - s) : t);
-      if (s >= 2 || t == 1) max_light = std::max(max_light, s == 31 ? (more ? kUnlimited : k + 1 - t) : s);
+      if (s >= 2 || (t == 1 && !local)) max_light = std::max(max_light, s == 31 ? (more ? kUnlimited : k + 1 - t) : s);
     }
   hit_sensor = false;
   for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
+  land = hit_sensor && sensor.is_surface();
+  hit_sensor = hit_sensor && !sensor.is_surface();
   if (scene.lights().empty()) max_eye = max_light = 0;
 }
 
@@ -68,9 +71,13 @@ Strategy Engine::make_strategy(const Plan& p, const TransportOptions& counts, do
       if (!p.serves(s, t)) result.techniques.rows[size_t(s)] &= ~(1u << t);
   result.counts = p.counts(counts, light_vertices);
   result.counts.direct = float(options.direct_samples);
+  result.counts.local = local;
+  result.counts.pass = result.counts.light * float(samples_per_pass());
   TechniqueClasses::from_mask(result.techniques, result.counts, result.classes);
   return result;
 }
+
+bool Strategy::joins_inner() const { return classes.inner > 0 || (counts.local && plan->pooled && classes.t1 > 0); }
 
 float Engine::share(const Plan& p) const {
   if (!map) return 0;
@@ -102,6 +109,14 @@ void Engine::set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>&
                        const std::vector<RegionMeasure>& all) {
   rates.set(grid, eye, all, seed);
   light_weight = plan.pooled ? 1 : float(1 / rates.mean());
+}
+
+uint64_t Engine::measured(const PixelRect& rect) const {
+  if (!local) return rect.count();
+  uint64_t n = 0;
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x) n += sample_number(x, y) >= 0;
+  return n;
 }
 
 FilmRecipe Engine::recipe() const {

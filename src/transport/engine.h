@@ -38,6 +38,7 @@ struct Engine {
 
   // What follows from the options.
   const Plan& plan;
+  bool local;                      // sensor: t = 1 belongs to an eye subpath
   Strategy strategy;               // of all the image; where tiles have their own, all that any of them does
   std::optional<StrategyMap> map;  // of plans that choose by tiles, once they have chosen
   bool running_sums;               // else reference_weight()
@@ -45,7 +46,8 @@ struct Engine {
   PowerHeuristic heuristic;
   bool unweighted;
   uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced
-  bool hit_sensor;              // whether t = 0 is done at all
+  bool hit_sensor;              // whether t = 0 is done at all,
+  bool land;                    // and where light lands on surfaces
   RayRecorder* recorder = nullptr;
   ShadowRoulette roulette;
   SampleRates rates;
@@ -55,6 +57,8 @@ struct Engine {
   Engine(const Scene& scene, const Sensor& sensor, Film& film, const TransportOptions& options, uint64_t seed);
 
   bool allows(uint32_t s, uint32_t t) const { return strategy.allows(s, t); }
+  // Whether what a technique measures belongs to an eye subpath; else it goes where light falls on the film.
+  bool belongs_to_eye(uint32_t t) const { return t >= (local ? 1u : 2u); }
   // Whether a splat there takes the light subpath's sums without inner techniques. Where all tiles are alike the sums
   // know already.
   bool uses_outer(const Strategy& there) const { return map && !there.joins_inner(); }
@@ -65,7 +69,13 @@ struct Engine {
   uint32_t max_edges() const { return options.max_edges > 0 ? uint32_t(options.max_edges) : ~0u; }
   uint64_t pool_passes;  // passes that come together, in one pool
   uint32_t pool_pixels;  // pixels of a block, where the result depends on them; else 0
-  uint64_t samples_per_pass() const { return bounds.count(); }
+  uint64_t samples_per_pass() const { return local ? sensor.count() : bounds.count(); }
+  // The number of a pixel's sample among those of a pass; -1 where nothing is measured.
+  int64_t sample_number(int x, int y) const {
+    return local ? sensor.number(x, y) : int64_t(y - bounds.y0) * bounds.width() + (x - bounds.x0);
+  }
+  // How many pixels of a rectangle measure anything.
+  uint64_t measured(const PixelRect& rect) const;
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }
   void set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>& eye, const std::vector<RegionMeasure>& all);
   // Whether something that an ImagePilot finds is still unknown.

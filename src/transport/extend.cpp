@@ -7,8 +7,14 @@ namespace bdpt {
 void Block::extend() {
   if (engine_.allows(1, 1)) {
     StageTimer timer(stats_.connect);
-    for (uint32_t light = 0; light < light_.count(); ++light)
-      if (takes(1, 1, light)) connect_start_to_sensor(light);
+    if (engine_.local) {
+      for (uint32_t sample = 0; sample < eye_.count(); ++sample)
+        if (takes(1, 1, sample) && eye_.starts[sample].weight_position != 0)
+          connect_to_light(sensor_vertex(sample), sample);
+    } else {
+      for (uint32_t light = 0; light < light_.count(); ++light)
+        if (takes(1, 1, light)) connect_start_to_sensor(light);
+    }
   }
   while (!walkers_.empty()) {
     {
@@ -47,7 +53,10 @@ void Block::connect_ends() {
       if (a.eye) {
         if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
       } else if (takes(v.count, 1, a.sample)) {
-        connect_to_sensor(v, a.sample);
+        if (!engine_.local)
+          connect_to_sensor(v, a.sample);
+        else if (!strategy_->joins_inner() && !is_black(v.throughput))
+          connect_to_own_start(v, a.sample);
       }
       flush_if_full();  // one vertex of each subpath: its contributions keep their order
     }
@@ -105,6 +114,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.direct = w.direct;
   v.start_hittable = w.start_hittable;
   v.start_finite = w.start_finite;
+  v.group = w.group;
   if (!w.eye && w.count == 1 && !v.specular) {
     const LightStart& y0 = light_.starts[w.sample];
     v.direct = engine_.direct_lighting.density(y0.y0, v.receiver()) / y0.density_position;
@@ -113,6 +123,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   (w.eye ? eye_.last : light_.last)[w.sample] = index;
   arrivals_.push_back({index, w.sample, w.eye});
 
+  if (!w.eye && engine_.land) land(w, hit, v);
   if (w.eye && surface.light >= 0 && takes(0, v.count, w.sample)) {
     LightPoint x0;
     x0.light = surface.light;
@@ -136,7 +147,7 @@ void Block::escape(const Walker& w) {
   Vertex z{};
   z.geometry = w.cosine;  // a direction has no area: the edge's factor is the cosine at its other end
   z.density = w.projected * z.geometry;
-  z.sums = w.count == 1 ? 0 : z.geometry / w.density * w.sums;  // no (2,0): see hit_sensor
+  z.sums = w.count == 1 && !engine_.local ? 0 : z.geometry / w.density * w.sums;  // no (2,0): see hit_sensor
   z.previous = -w.direction;
   z.throughput = w.throughput;
   z.previous_index = w.vertex;
@@ -148,15 +159,17 @@ void Block::escape(const Walker& w) {
 // s = 0: the eye subpath ends at z = x_0, on a light.
 void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, const Rgb& radiance) {
   const Lights& lights = engine_.scene.lights();
-  const bool corner = z.count == 2;
+  const bool corner = z.count == 2, at_camera = corner && !engine_.local;
   const float position = lights.position_density(x0, engine_.light_choice());
   const float direction = lights.direction_density(x0, z.previous);
-  const float direct = corner ? position : w.specular ? 0 : engine_.direct_lighting.density(x0, {w.origin, w.normal});
+  const float direct = at_camera    ? position
+                       : w.specular ? 0
+                                    : engine_.direct_lighting.density(x0, {w.origin, w.normal});
   float weight = 1;
   if (engine_.running_sums) {
     // u_1 is that of s = 1 here, seen from the eye: P_A^d(x_0) takes the place of P_A(x_0).
     const TechniqueClasses& c = strategy_->classes;
-    const float count = w.specular || (corner && x0.infinite) ? 0 : corner ? c.corner : c.s1;
+    const float count = w.specular || (at_camera && x0.infinite) ? 0 : corner ? c.corner : c.s1;
     weight = engine_.heuristic.weight(
         0, engine_.heuristic.combine(count * direct, position * direction * z.sums) / z.density);
   } else if (!engine_.unweighted) {
@@ -164,9 +177,9 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
     edge.light_at_z = position;
     edge.light_before_z = direction * z.geometry;
     weight = path_weight(nullptr, &z, 0, z.count, edge, {}, {}, position > 0 ? direct / position : 0, true,
-                         !x0.infinite, light_, *strategy_);
+                         engine_.local || !x0.infinite, light_, *strategy_);
   }
-  add_eye(w.sample, 0, z.count, w.throughput * radiance * weight);
+  add_eye(w.sample, 0, z.count, w.throughput * radiance * weight, lights.group(x0.light));
 }
 
 // t = 0: the light subpath passes through the sensor, which is no surface of the scene; it is counted and goes on.
@@ -177,17 +190,35 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   if (!takes(s, 0, w.sample)) return;
   SensorPoint z0;
   if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
-  const Strategy& strategy = engine_.strategy_at(z0.film);
-  if (!strategy.allows(s, 0)) return;
   const float cosine = absdot(z0.normal, w.direction);
   const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
   const float density = w.projected * geometry;
-  if (!(density > 0) || !std::isfinite(density)) return;
+  if (density > 0 && std::isfinite(density)) add_arrival(w, z0, geometry, density);
+}
+
+// t = 0 on a surface of the scene, that of y: light counts there, and scatters.
+void Block::land(const Walker& w, const Hit& hit, const Vertex& y) {
+  if (!takes(y.count, 0, w.sample)) return;
+  SensorPoint z0;
+  const uint64_t id = engine_.scene.instance_id(hit.instance);
+  if (engine_.sensor.land({hit.instance, hit.primitive, id, hit.u, hit.v, y.p, y.ng, y.ns, w.direction}, z0))
+    add_arrival(w, z0, y.geometry, y.density);
+}
+
+void Block::add_arrival(const Walker& w, const SensorPoint& z0, float geometry, float density) {
+  const uint32_t s = w.count + 1;
+  const Strategy& strategy = engine_.strategy_at(z0.film);
+  if (!strategy.allows(s, 0)) return;
   const bool corner = w.count == 1;
+  float direct = w.direct;
+  if (corner && engine_.local) {
+    const LightStart& y0 = light_.starts[w.sample];
+    direct = engine_.direct_lighting.density(y0.y0, {z0.p, z0.normal}) / y0.density_position;
+  }
   float weight = 1;
   if (engine_.running_sums) {
     const TechniqueClasses& c = strategy.classes;
-    const float count = w.specular ? 0 : corner ? c.corner : c.t1;
+    const float count = w.specular ? 0 : !corner ? c.t1 : engine_.local ? c.corner * direct : c.corner;
     const float sums = geometry / w.density * (engine_.uses_outer(strategy) ? w.outer : w.sums);
     weight = engine_.heuristic.weight(
         z0.density_position / (density * c.t0) * engine_.heuristic.combine(count, z0.density_direction * sums), 0);
@@ -200,9 +231,12 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
     Edge edge;
     edge.eye_at_y = z0.density_position;
     edge.eye_before_y = z0.density_direction * geometry;
-    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, w.direct, w.start_hittable, w.start_finite, light_, strategy);
+    weight = path_weight(&y, nullptr, s, 0, edge, {}, {}, direct, w.start_hittable, engine_.local || w.start_finite,
+                         light_, strategy);
   }
-  add_light(w.sample, z0.film, s, 0, w.throughput * (z0.importance * weight / strategy.counts.light));
+  const Vec3 from = -w.direction;
+  add_light(w.sample, z0.film, s, 0, w.throughput * (z0.importance * weight / strategy.counts.of(int(s), 0)), w.group,
+            &z0, &from);
 }
 
 void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
@@ -251,6 +285,7 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.infinite = false;
   n.start_hittable = w.start_hittable;
   n.start_finite = w.start_finite;
+  n.group = w.group;
   v.previous_reverse = reverse * v.geometry;
   push_walker(next_walkers_, next_rays_, n, off_surface(v, next));
 }

@@ -45,22 +45,27 @@ void ImagePilot::fill_pool(Block& block, uint32_t task) {
   pool_rays_[task] = block.stats().rays() - before;
 }
 
+PixelRect ImagePilot::square(const PixelRect& region, int column, int row, uint32_t i) const {
+  return square_within(region, kSide, hash_values(engine_.seed, 7, row, column, i));
+}
+
 void ImagePilot::run_row(Block& block, uint32_t row) {
   for (int column = 0; column < grid_.columns(); ++column) {
     const PixelRect r = grid_.rect(column, int(row));
     for (uint32_t i = 0; i < squares_; ++i)
-      measure_square(block, square_within(r, kSide, hash_values(engine_.seed, 7, row, column, i)), row,
+      measure_square(block, square(r, column, int(row), i), row,
                      regions_[size_t(row) * size_t(grid_.columns()) + size_t(column)]);
   }
 }
 
 // Adds a square's share: the mean of its pixels, and the mean variance within one.
 void ImagePilot::measure_square(Block& block, const PixelRect& square, uint32_t row, RegionMeasure& region) {
-  const size_t pixels = size_t(square.x1 - square.x0) * size_t(square.y1 - square.y0);
+  const size_t pixels = size_t(engine_.measured(square));
+  if (pixels == 0) return;
   const uint64_t before = block.stats().rays();
   std::vector<Rgb> samples(passes_ * pixels);
   for (const Contribution& c : block.sample_pilot(passes_, square, engine_.plan.pooled ? &pool_ : nullptr)) {
-    if (c.t >= 2)
+    if (engine_.belongs_to_eye(c.t))
       samples[c.sample] += c.value;
     else
       add_light(grid_, c, light_[pool_tasks() + row]);
@@ -85,11 +90,10 @@ std::vector<RegionMeasure> ImagePilot::measures() const {
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {
       const PixelRect r = grid_.rect(column, row);
-      pixels += uint64_t(std::min(kSide, r.x1 - r.x0)) * uint64_t(std::min(kSide, r.y1 - r.y0));
+      for (uint32_t i = 0; i < squares_; ++i) pixels += engine_.measured(square(r, column, row, i));
     }
   // The light subpaths of a pass for one of the pilot's; none where the plan wants none.
-  const double traced =
-      engine_.plan.pooled ? double(kPool) : double(pixels) * squares_ * passes_ * engine_.options.light_samples;
+  const double traced = engine_.plan.pooled ? double(kPool) : double(pixels) * passes_ * engine_.options.light_samples;
   for (int row = 0; row < grid_.rows(); ++row)
     for (int column = 0; column < grid_.columns(); ++column) {
       const size_t i = size_t(row) * size_t(grid_.columns()) + size_t(column);

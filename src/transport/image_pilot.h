@@ -27,6 +27,7 @@ class ImagePilot {
   const std::vector<RegionMeasure>& eye_measures() const { return regions_; }
 
  private:
+  PixelRect square(const PixelRect& region, int column, int row, uint32_t i) const;
   void measure_square(Block& block, const PixelRect& square, uint32_t row, RegionMeasure& region);
 
   const Engine& engine_;

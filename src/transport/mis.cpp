@@ -43,8 +43,8 @@ std::vector<double> densities(const PathTechniques& path, int s, const Technique
   const auto own_index = size_t(s);
   for (size_t i = own_index; i + 1 < p.size(); ++i) p[i + 1] = p[i] * path.vertices[i].light / path.vertices[i].eye;
   for (size_t i = own_index; i > 0; --i) p[i - 1] = p[i] * path.vertices[i - 1].eye / path.vertices[i - 1].light;
-  // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to the sensor.
-  if (techniques > 2 && path.count > 2) p[1] *= path.direct;
+  // 10.3.4.2: only s = 1 uses the density of direct lighting; (1,1) joins y_0 itself to a camera.
+  if (path.count > 2 || path.counts.local) p[1] *= path.direct;
   std::vector<double> n(p.size());
   for (int i = 0; i < techniques; ++i)
     n[size_t(i)] = exists(path, mask, i) ? double(path.counts.of(i, techniques - 1 - i)) : 0;
@@ -92,7 +92,7 @@ TechniqueShares balance_shares(const PathTechniques& path, int s, const Techniqu
     const int t = path.count - i;
     const double v = p[size_t(i)];
     all += v;
-    if (t <= 1)
+    if (t == 0 || (t == 1 && !path.counts.local))
       light += v;
     else if (i <= 1)
       eye += v;

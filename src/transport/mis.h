@@ -58,7 +58,13 @@ struct SampleCounts {
   float light = 1;        // light subpaths: (s,0), (s,1)
   float direct = 1;       // fresh light vertices at each eye vertex: (1,t)
   float connections = 1;  // light vertices y_{s-1} met by each eye vertex: (s,t) with both >= 2
-  float of(int s, int t) const { return t <= 1 ? light : s == 0 ? 1 : s == 1 ? direct : connections; }
+  bool local = false;     // sensor: its z_0 is an eye vertex like others, and t = 0 takes
+  float pass = 1;         // the light subpaths of a whole pass
+  float of(int s, int t) const {
+    if (t == 0) return local ? pass : light;
+    if (t == 1 && !local) return light;
+    return s == 0 ? 1 : s == 1 ? direct : connections;
+  }
 };
 
 // The same by classes of techniques, for the running sums: they cannot tell one technique between the ends from

@@ -61,6 +61,17 @@ const std::vector<Contribution>& Block::join_pilot(const Plan& plan) {
   return keep([&] { join_inner(plan); });
 }
 
+EyeStart Block::start_anywhere(const Four& u) const {
+  if (!engine_.local) return engine_.sensor.start(spread(u), u.u + 2, engine_.bounds);
+  const uint64_t count = engine_.sensor.count();
+  const double place = double(u[0]) * double(count);
+  const uint64_t number = std::min(uint64_t(place), count - 1);
+  int x, y;
+  engine_.sensor.find(number, x, y);
+  const float within[4] = {std::min(float(place - double(number)), 0x1.fffffep-1f), u[1], u[2], u[3]};
+  return engine_.sensor.start_at(x, y, within);
+}
+
 const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair>& streams) {
   {
     StageTimer timer(stats_.start);
@@ -69,7 +80,7 @@ const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair
     for (uint32_t i = 0; i < streams.size(); ++i) {
       eye_.streams[i] = streams[i].eye;
       const Four u = draw(true, i, 0, Purpose::Start);
-      start_eye(i, spread(u), u.u + 2, engine_.max_eye);
+      start_eye(i, start_anywhere(u), engine_.max_eye);
       if (!lights) continue;
       light_.streams[i] = streams[i].light;
       start_light(i, engine_.max_light);
@@ -89,7 +100,7 @@ const std::vector<Contribution>& Block::sample_chains(std::vector<Chain>& chains
       // With t = 1 and s = 1 the other side takes a fresh vertex to this one's subpath.
       if (technique.t >= 2) {
         const Four u = draw(true, i, 0, Purpose::Start);
-        start_eye(i, spread(u), u.u + 2, technique.t);
+        start_eye(i, start_anywhere(u), technique.t);
       }
       if (technique.s >= 2 || technique.t == 1) start_light(i, technique.s);
     }

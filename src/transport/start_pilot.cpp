@@ -55,7 +55,7 @@ class Deliveries {
     for (const Contribution& c : contributions) {
       const uint32_t region = uint32_t(grid_.region(c.film));
       brightness_[region] += double(norm(c.value));
-      if (c.t >= 2 && c.s < 2) continue;  // no light subpath
+      if (engine_.belongs_to_eye(c.t) && c.s < 2) continue;  // no light subpath
       const int from = light.starts[c.sample].y0.light;
       all_.push_back({uint32_t(from), region, norm(c.value) * engine_.starts.probability(size_t(from))});
     }

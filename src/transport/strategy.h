@@ -18,7 +18,8 @@ struct Strategy {
   TechniqueClasses classes;
 
   bool allows(uint32_t s, uint32_t t) const { return techniques.allows(int(s), int(t)); }
-  bool joins_inner() const { return classes.inner > 0; }
+  // Whether the plan joins vertices; else they are joined as they are made.
+  bool joins_inner() const;
 };
 
 // The squares of pixels whose strategies are chosen apart.

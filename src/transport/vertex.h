@@ -5,6 +5,7 @@
 //   y_0 ... y_{s-1}      light subpath, y_0 on a light
 //   z_{t-1} ... z_0      eye subpath, z_0 on the sensor
 //   x_0 ... x_k          the path, x_0 = y_0, x_k = z_0, k = s + t - 1
+//   z_0                  lives in EyeStart; of a local sensor it is a Vertex, too, the first of its subpath
 //   own, other           a vertex's own side is the end its subpath started from; the other side is the other end
 //   density              per area, in the product measure; `projected` densities are per projected solid angle, with
 //                        the geometric normal, P_sigma-perp of Veach. P_A = P_sigma-perp G
@@ -21,7 +22,7 @@
 
 namespace bdpt {
 
-// A vertex on a surface: y_1, y_2, ... or z_1, z_2, ...; y_0 and z_0 live in LightStart and EyeStart.
+// A vertex on a surface: y_1, y_2, ... or z_1, z_2, ...; y_0 and a camera's z_0 live in LightStart and EyeStart alone.
 struct Vertex {
   Vec3 p;
   float density;           // P_A of this vertex, as its own side samples it
@@ -36,7 +37,7 @@ struct Vertex {
   Rgb throughput;          // alpha
   Rgb reflectance;
   const Material* material;
-  uint32_t previous_index;  // in the block's vertices of this side; kNoVertex for y_1 and z_1
+  uint32_t previous_index;  // in the block's vertices of this side; kNoVertex where the previous is none of them
   float previous_density;   // P_A of the previous vertex, as its own side samples it
   float outer;              // light side: v_i without the techniques that join inner vertices
   float direct;             // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
@@ -47,9 +48,11 @@ struct Vertex {
   bool specular;            // no connection is made here
   bool start_hittable;      // light side: eye subpaths can hit y_0
   bool start_finite;        // light side: y_0 is a point
+  uint8_t group;            // light side: of y_0's light
 
   bool is_joinable() const { return !specular && !is_black(throughput); }
-  Receiver receiver() const { return {p, material->transmits() ? Vec3(0) : ns}; }
+  bool is_sensor() const { return !material; }  // z_0 of a local sensor
+  Receiver receiver() const { return {p, is_sensor() ? ng : material->transmits() ? Vec3(0) : ns}; }
 };
 
 inline constexpr uint32_t kNoVertex = ~0u;

@@ -245,7 +245,7 @@ void own_automatic(Report& report) {
   std::string missed;
   for (const NamedScene& scene : scenes_of_the_table(setting)) {
     const auto contestants =
-        hold_on(report, scene, setting.pick(240, 64, 16), variants, setting.pick(32, 16, 8), setting.pick(12, 5, 2));
+        hold_on(report, scene, setting.pick(160, 64, 16), variants, setting.pick(32, 16, 8), setting.pick(8, 5, 2));
     if (contestants.empty()) continue;
     table.rows.push_back({std::string(scene.name)});
     std::size_t best = 0;

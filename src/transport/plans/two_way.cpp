@@ -9,7 +9,10 @@ namespace {
 
 bool serves(int s, int t) { return s < 2 || t < 2; }
 
-SampleCounts counts(const TransportOptions& options, double) { return {.light = float(options.light_samples)}; }
+SampleCounts counts(const TransportOptions& options, double) {
+  const float n = float(options.light_samples);
+  return {.light = n, .connections = n};
+}
 
 void connect(Block&) {}
 

@@ -1,0 +1,160 @@
+#include "bake/lightmap.h"
+
+#include "api/handles.h"
+#include "api/output_desc.h"
+
+#include <algorithm>
+
+using namespace bdpt;
+
+namespace {
+
+constexpr uint32_t kMaxSide = 65536;
+
+AtlasSize read_size(const Subject& subject, const bdpt_lightmap_desc& desc) {
+  subject.check_range("width", desc.width, 1, kMaxSide);
+  subject.check_range("height", desc.height, 1, kMaxSide);
+  const uint32_t atlases = desc.atlas_count == 0 ? 1 : desc.atlas_count;
+  if (uint64_t(atlases) * desc.height > kMaxSide)
+    subject.refuse("atlas_count", "is ", atlases, ": ", atlases, " atlases of ", desc.height, " rows are more than ",
+                   kMaxSide, " rows: bake them in several lightmaps");
+  return {int(desc.width), int(desc.height), int(atlases)};
+}
+
+PixelRect read_rect(const Subject& subject, const uint32_t rect[4], const AtlasSize& size) {
+  const uint32_t width = uint32_t(size.width), height = uint32_t(size.height) * uint32_t(size.count);
+  if (std::all_of(rect, rect + 4, [](uint32_t v) { return v == 0; })) return {0, 0, int(width), int(height)};
+  if (rect[0] >= rect[2] || rect[1] >= rect[3] || rect[2] > width || rect[3] > height)
+    subject.refuse("rect", "is (", rect[0], ", ", rect[1], ") to (", rect[2], ", ", rect[3],
+                   "): give a rectangle of at least one texel within ", width, " x ", height,
+                   ", or four zeros for all");
+  return {int(rect[0]), int(rect[1]), int(rect[2]), int(rect[3])};
+}
+
+LightmapInstance read_instance(const bdpt_lightmap_instance& desc, uint32_t number, const Scene& scene,
+                               const AtlasSize& size) {
+  const std::string name = "instance " + std::to_string(number);
+  const Subject subject(name.c_str(), nullptr);
+  const int index = desc.instance.id == 0 ? -1 : scene.find_instance(desc.instance.id);
+  if (index < 0)
+    fail(ErrorCode::InvalidId, name,
+         " is none of the scene's: give an id that the builder had when it built the scene");
+  const std::string& label = scene.instance_label(uint32_t(index));
+  const std::string told = label.empty() ? name : name + ", \"" + label + '"';
+  const Mesh* mesh = scene.mesh(uint32_t(index));
+  if (!mesh) fail(ErrorCode::InvalidArgument, told, " is a sphere, which has no texture coordinates: give meshes");
+  subject.check_range("uv_set", desc.uv_set, 0, 1);
+  subject.check_range("atlas", desc.atlas, 0, size.count - 1);
+  subject.check_flag("flip", desc.flip);
+  subject.check_finite("scale", desc.scale, 2);
+  subject.check_finite("offset", desc.offset, 2);
+  LightmapInstance instance;
+  instance.instance = uint32_t(index);
+  instance.atlas = int(desc.atlas);
+  instance.uv_set = desc.uv_set == 0 ? 1 : 0;
+  if (mesh->uv[instance.uv_set].empty())
+    fail(ErrorCode::InvalidArgument, told, " has no uv set ", instance.uv_set,
+         ": give its mesh one, or leave the instance out (it casts shadows all the same)");
+  if (desc.scale[0] != 0 || desc.scale[1] != 0) instance.scale = {desc.scale[0], desc.scale[1]};
+  instance.offset = {desc.offset[0], desc.offset[1]};
+  instance.flip = desc.flip != 0;
+  return instance;
+}
+
+std::vector<LightmapInstance> read_instances(const Subject& subject, const bdpt_lightmap_desc& desc, const Scene& scene,
+                                             const AtlasSize& size) {
+  if (desc.instance_count == 0) subject.refuse("instance_count", "is 0: name the instances to bake");
+  require(desc.instances, "instances");
+  if (desc.instance_stride != 0 &&
+      (desc.instance_stride < kVersion1Size<bdpt_lightmap_instance> || desc.instance_stride % 8 != 0))
+    subject.refuse("instance_stride", "is ", desc.instance_stride, ": give a multiple of 8 from ",
+                   kVersion1Size<bdpt_lightmap_instance>, ", or 0 for packed structs");
+  std::vector<LightmapInstance> instances;
+  std::vector<int> number(scene.instance_count(), -1);
+  for (uint32_t i = 0; i < desc.instance_count; ++i) {
+    const bdpt_lightmap_instance d = read_struct(element(desc.instances, i, desc.instance_stride), "instances");
+    instances.push_back(read_instance(d, i, scene, size));
+    int& known = number[instances.back().instance];
+    if (known >= 0)
+      subject.refuse("instances", "has one instance twice, as ", known, " and ", i, ": give it one place in the atlas");
+    known = int(i);
+  }
+  return instances;
+}
+
+const Lightmap& lightmap_of(const bdpt_sensor* sensor) {
+  const auto* lightmap = dynamic_cast<const Lightmap*>(require(sensor, "sensor").sensor.get());
+  if (!lightmap) fail(ErrorCode::InvalidArgument, "sensor is no lightmap: give one of bdpt_lightmap_create");
+  return *lightmap;
+}
+
+void report_unmeasured(const Log& log, const TexelMap::Report& report) {
+  if (report.unmapped > 0)
+    log.warning("lightmap: ", report.unmapped, " triangles have no area in the atlas and are not measured");
+  if (report.outside > 0)
+    log.warning("lightmap: ", report.outside, " triangles reach out of the atlas; what lies outside is not measured");
+  if (report.shared > 0)
+    log.warning("lightmap: ", report.shared, " texels are shared by several instances, and measure the mean of all");
+}
+
+}  // namespace
+
+bdpt_result bdpt_lightmap_create(bdpt_scene* scene, const bdpt_lightmap_desc* desc, bdpt_sensor** sensor) {
+  return guard(__func__, [&] {
+    reset_output(sensor);
+    require(scene, "scene");
+    const bdpt_lightmap_desc d = read_struct(desc, "desc");
+    require(sensor, "sensor");
+    const Subject subject("lightmap", nullptr);
+    const AtlasSize size = read_size(subject, d);
+    const PixelRect rect = read_rect(subject, d.rect, size);
+    subject.check_flag("geometric_normals", d.geometric_normals);
+    subject.check_reserved("reserved", d.reserved);
+    const auto instances = read_instances(subject, d, *scene->scene, size);
+    const auto outputs = read_outputs(d.outputs, d.output_count, d.output_stride, OutputKind::Irradiance);
+    const auto lightmap = std::make_shared<const Lightmap>(scene->scene, instances, size, rect, outputs,
+                                                           d.geometric_normals != 0, scene->context->meter);
+    if (lightmap->count() == 0)
+      subject.refuse("instances", "cover no texel", d.rect[2] ? " of rect" : "",
+                     ": see to their texture coordinates, scale and offset");
+    report_unmeasured(*scene->context->log, lightmap->texels().report());
+    auto object = std::make_unique<bdpt_sensor>();
+    object->context = scene->context;
+    object->sensor = lightmap;
+    object->scene = scene->scene;
+    *sensor = object.release();
+  });
+}
+
+bdpt_result bdpt_lightmap_get_info(const bdpt_sensor* sensor, bdpt_lightmap_info* info) {
+  return guard(__func__, [&] {
+    const Lightmap& lightmap = lightmap_of(sensor);
+    check_output_struct(info, "info");
+    const TexelMap::Report& report = lightmap.texels().report();
+    bdpt_lightmap_info i{};
+    i.width = uint32_t(lightmap.width());
+    i.height = uint32_t(lightmap.height());
+    i.texels = report.texels;
+    i.texels_shared = report.shared;
+    i.triangles_unmapped = report.unmapped;
+    i.triangles_outside = report.outside;
+    i.area = report.area;
+    i.area_outside = report.area_outside;
+    write_struct(i, info);
+  });
+}
+
+bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor* sensor, float* coverage, float* area, uint64_t capacity) {
+  return guard(__func__, [&] {
+    const TexelMap& texels = lightmap_of(sensor).texels();
+    const uint64_t needed = uint64_t(texels.width()) * uint64_t(texels.height());
+    if (capacity < needed)
+      fail(ErrorCode::InvalidArgument, "capacity is ", capacity, " floats: ", needed, " are needed");
+    for (int y = 0; y < texels.height(); ++y)
+      for (int x = 0; x < texels.width(); ++x) {
+        const size_t i = size_t(y) * size_t(texels.width()) + size_t(x);
+        if (coverage) coverage[i] = texels.coverage(x, y);
+        if (area) area[i] = texels.area(x, y);
+      }
+  });
+}

@@ -1,0 +1,36 @@
+#include "api/output_desc.h"
+
+#include "film/film.h"
+
+namespace bdpt {
+
+std::vector<OutputDesc> read_outputs(const bdpt_output_desc* outputs, uint32_t count, uint32_t stride,
+                                     OutputKind otherwise) {
+  if (count == 0) return {OutputDesc{otherwise}};
+  require(outputs, "outputs");
+  if (stride != 0 && (stride < kVersion1Size<bdpt_output_desc> || stride % 8 != 0))
+    fail(ErrorCode::InvalidArgument, "output_stride is ", stride, ": give a multiple of 8 from ",
+         kVersion1Size<bdpt_output_desc>, ", or 0 for packed structs");
+  std::vector<OutputDesc> result;
+  int planes = 0;
+  for (uint32_t i = 0; i < count && planes <= kMaxPlanes; ++i) {
+    const std::string name = "output " + std::to_string(i);
+    const Subject subject(name.c_str(), nullptr);
+    const bdpt_output_desc d = read_struct(element(outputs, i, stride), name.c_str());
+    subject.check_enum("kind", d.kind, BDPT_OUTPUT_FLUENCE);
+    subject.check_enum("paths", d.paths, BDPT_LIGHT_PATHS_INDIRECT);
+    subject.check_reserved("reserved", d.reserved);
+    OutputDesc output;
+    output.kind = static_cast<OutputKind>(d.kind);
+    output.direct = d.paths != BDPT_LIGHT_PATHS_INDIRECT;
+    output.indirect = d.paths != BDPT_LIGHT_PATHS_DIRECT;
+    if (d.groups != 0) output.groups = d.groups;
+    planes += Outputs::planes_of(output.kind);
+    result.push_back(output);
+  }
+  if (planes > kMaxPlanes)
+    fail(ErrorCode::InvalidArgument, "outputs need more than ", kMaxPlanes, " planes: bake them in several sensors");
+  return result;
+}
+
+}  // namespace bdpt

@@ -1,0 +1,62 @@
+#include "bake/points.h"
+
+#include "api/handles.h"
+#include "api/output_desc.h"
+#include "api/placement.h"
+
+using namespace bdpt;
+
+namespace {
+
+constexpr uint64_t kMaxPoints = uint64_t(1) << 32;
+
+MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
+  const std::string name = "point " + std::to_string(number);
+  const Subject subject(name.c_str(), nullptr);
+  subject.check_range("position", point.position, 3, -double(kMaxCoordinate), double(kMaxCoordinate));
+  subject.check_finite("normal", point.normal, 3);
+  subject.check_not_negative("radius", &point.radius, 1);
+  subject.check_reserved("reserved", point.reserved);
+  const Imath::V3d normal(point.normal[0], point.normal[1], point.normal[2]);
+  MeasuredPoint p{to_vec3(point.position)};
+  if (normal.length() > 0) p.normal = Vec3(normal / normal.length());
+  if (normal.length() == 0 && point.radius > 0)
+    subject.refuse("radius", "is ", point.radius, " although the point has no normal: a disk needs one");
+  p.radius = point.radius;
+  return p;
+}
+
+}  // namespace
+
+bdpt_result bdpt_points_create(bdpt_context* context, const bdpt_points_desc* desc, bdpt_sensor** sensor) {
+  return guard(__func__, [&] {
+    reset_output(sensor);
+    require(context, "context");
+    const bdpt_points_desc d = read_struct(desc, "desc");
+    require(sensor, "sensor");
+    const Subject subject("points", nullptr);
+    if (d.count == 0 || d.count >= kMaxPoints)
+      subject.refuse("count", "is ", d.count, ": give 1 to ", kMaxPoints - 1, " points");
+    require(d.points, "points");
+    if (d.point_stride != 0 && (d.point_stride < sizeof(bdpt_point) || d.point_stride % 4 != 0))
+      subject.refuse("point_stride", "is ", d.point_stride, ": give a multiple of 4 from ", sizeof(bdpt_point),
+                     ", or 0 for packed points");
+    subject.check_not_negative("offset", &d.offset, 1);
+    std::vector<MeasuredPoint> points;
+    points.reserve(d.count);
+    for (uint64_t i = 0; i < d.count; ++i) points.push_back(read_point(*element(d.points, i, d.point_stride), i));
+    const bool held = points[0].normal != Vec3(0);
+    const auto outputs =
+        read_outputs(d.outputs, d.output_count, d.output_stride, held ? OutputKind::Irradiance : OutputKind::Fluence);
+    for (const OutputDesc& o : outputs)
+      if (o.kind == OutputKind::Irradiance || o.kind == OutputKind::IrradianceOverPi)
+        for (size_t i = 0; i < points.size(); ++i)
+          if (points[i].normal == Vec3(0))
+            subject.refuse("outputs", "ask for irradiance, and point ", i, " has no normal: give it one, or ask for ",
+                           "fluence or spherical harmonics");
+    auto object = std::make_unique<bdpt_sensor>();
+    object->context = Ref<bdpt_context>(context);
+    object->sensor = std::make_shared<const Points>(std::move(points), outputs, d.offset);
+    *sensor = object.release();
+  });
+}

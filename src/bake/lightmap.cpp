@@ -1,0 +1,93 @@
+#include "bake/lightmap.h"
+
+#include "sampling/hash.h"
+
+namespace bdpt {
+
+namespace {
+
+bool has_normals(const Scene& scene, const std::vector<LightmapInstance>& instances) {
+  for (const LightmapInstance& i : instances)
+    if (!scene.mesh(i.instance)->normals.empty()) return true;
+  return false;
+}
+
+bool fades_at_horizon(const std::vector<OutputDesc>& outputs) {
+  for (const OutputDesc& o : outputs)
+    if (o.kind != OutputKind::Irradiance && o.kind != OutputKind::IrradianceOverPi) return false;
+  return true;
+}
+
+FilmPosition center_of(int x, int y) { return {float(x) + 0.5f, float(y) + 0.5f}; }
+
+}  // namespace
+
+Lightmap::Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances,
+                   const AtlasSize& size, const PixelRect& subset, const std::vector<OutputDesc>& outputs,
+                   bool geometric_normals, const std::shared_ptr<MemoryMeter>& meter)
+    : scene_(std::move(scene)),
+      texels_(*scene_, instances, size, subset, meter),
+      outputs_(outputs),
+      geometric_normals_(geometric_normals || !has_normals(*scene_, instances)),
+      responds_(outputs_.respond(true, !geometric_normals_)),
+      hemisphere_(fades_at_horizon(outputs) && geometric_normals_ ? 1 : 0.5f) {
+  hash_ = hash_values(scene_->info().hash, size.width, size.height, size.count, subset.x0, subset.y0, subset.x1,
+                      subset.y1, geometric_normals_);
+  hash_ = hash_combine(hash_, outputs_.hash());
+  for (const LightmapInstance& i : instances) {
+    const float place[] = {i.scale.x, i.scale.y, i.offset.x, i.offset.y};
+    hash_ = hash_bytes(place, sizeof(place), hash_combine(hash_, hash_values(i.instance, i.atlas, i.uv_set, i.flip)));
+  }
+}
+
+EyeStart Lightmap::start_at(int x, int y, const float u[4]) const {
+  const TexelMap::Point point = texels_.sample(x, y, double(u[0]), u[1]);
+  const LightmapInstance& placed = texels_.placed(point.placed);
+  Surface surface{};
+  scene_->point(placed.instance, point.primitive, point.u, point.v, surface);
+  const float side = placed.flip ? -1.0f : 1.0f;
+  EyeStart s;
+  s.film = center_of(x, y);
+  s.p = surface.p;
+  s.normal = surface.ng * side;
+  s.shading = geometric_normals_ ? s.normal : surface.ns * side;
+  s.margin = surface.margin;
+  const Vec3 local = hemisphere_.sample(u[2], u[3]);
+  s.direction = Frame(s.normal).to_world(local);
+  s.cosine = std::max(local.z, 1e-7f);
+  s.density_position = 1 / texels_.area(x, y);
+  s.density_direction = hemisphere_.density(s.cosine);
+  s.weight = 1 / s.density_direction;
+  return s;
+}
+
+bool Lightmap::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const {
+  direction.cosine = dot(z0.normal, w);
+  if (!(direction.cosine > 0)) return false;
+  direction.importance = 1;
+  direction.density = hemisphere_.density(direction.cosine);
+  return true;
+}
+
+bool Lightmap::land(const Landing& landing, SensorPoint& z0) const {
+  int x, y;
+  const int index = texels_.placed_index(landing.instance);
+  if (index < 0) return false;
+  const float side = texels_.placed(uint32_t(index)).flip ? -1.0f : 1.0f;
+  z0.normal = landing.ng * side;
+  const float cosine = -dot(z0.normal, landing.direction);
+  if (!(cosine > 0) || !texels_.find(landing.instance, landing.primitive, landing.u, landing.v, x, y)) return false;
+  z0.shading = geometric_normals_ ? z0.normal : landing.ns * side;
+  z0.film = center_of(x, y);
+  z0.p = landing.p;
+  z0.density_position = 1 / texels_.area(x, y);
+  z0.density_direction = hemisphere_.density(cosine);
+  z0.importance = z0.density_position;
+  return true;
+}
+
+void Lightmap::respond(const SensorPlace& place, const Vec3& w, float* response) const {
+  outputs_.evaluate(w, place.shading, dot(place.normal, w), response);
+}
+
+}  // namespace bdpt

@@ -1,0 +1,48 @@
+// The light that arrives at surfaces, by texels of their second uv set (Veach 10.6's measurements, with the texel's
+// part of the surface for the support of W_e):
+//   E_j = (1 / A_j) INT over what texel j covers, INT over the hemisphere, L(x, w) dw_projected dA
+// Eye subpaths start in the texel, uniform by area. Light subpaths that land there count, too (t = 0).
+#pragma once
+
+#include "bake/hemisphere.h"
+#include "bake/outputs.h"
+#include "bake/texel_map.h"
+
+namespace bdpt {
+
+class Lightmap final : public Sensor {
+ public:
+  Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances, const AtlasSize& size,
+           const PixelRect& subset, const std::vector<OutputDesc>& outputs, bool geometric_normals,
+           const std::shared_ptr<MemoryMeter>& meter);
+
+  const TexelMap& texels() const { return texels_; }
+  const Scene& scene() const { return *scene_; }
+
+  int width() const override { return texels_.width(); }
+  int height() const override { return texels_.height(); }
+  bool is_hittable() const override { return true; }
+  uint64_t hash() const override { return hash_; }
+  bool is_local() const override { return true; }
+  bool is_surface() const override { return true; }
+  int64_t number(int x, int y) const override { return texels_.number(x, y); }
+  uint64_t count() const override { return texels_.report().texels; }
+  void find(uint64_t number, int& x, int& y) const override { texels_.find(number, x, y); }
+  const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
+  bool responds() const override { return responds_; }
+
+  EyeStart start_at(int x, int y, const float u[4]) const override;
+  bool look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const override;
+  bool land(const Landing& landing, SensorPoint& z0) const override;
+  void respond(const SensorPlace& place, const Vec3& w, float* response) const override;
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  TexelMap texels_;
+  Outputs outputs_;
+  bool geometric_normals_, responds_;
+  HemisphereSampler hemisphere_;
+  uint64_t hash_;
+};
+
+}  // namespace bdpt

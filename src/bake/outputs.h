@@ -1,0 +1,53 @@
+// What a measurement of arriving light may be asked for. Each output is some planes of the film; a plane's measurement
+// function is the base's times a function of the direction.
+//
+// The base W_e^(1) is 1 per projected solid angle of the geometric normal on a surface (its measurement is the
+// irradiance E), and 1 per solid angle at a point in space (the fluence).
+#pragma once
+
+#include "math/vec.h"
+#include "sensor/sensor.h"
+
+#include <string>
+#include <vector>
+
+namespace bdpt {
+
+enum class OutputKind {
+  Irradiance,        // E = INT L max(0, w n) dw
+  IrradianceOverPi,  // E / pi
+  RadianceSh1,       // c_lm = INT L Y_lm(w) dw, l <= 1: 4 planes
+  RadianceSh2,       // l <= 2: 9 planes
+  IrradianceSh1,     // the same times pi, 2 pi / 3, pi / 4 for l = 0, 1, 2: E(n) = SUM of these times Y_lm(n)
+  IrradianceSh2,
+  Fluence,  // INT L dw
+};
+
+struct OutputDesc {
+  OutputKind kind = OutputKind::Irradiance;
+  bool direct = true, indirect = true;
+  uint64_t groups = ~0ull;
+};
+
+// Y_lm in the order (0,0); (1,-1), (1,0), (1,1); (2,-2) ... (2,2): 0.282095; 0.488603 (y, z, x);
+// 1.092548 xy, 1.092548 yz, 0.315392 (3z^2 - 1), 1.092548 xz, 0.546274 (x^2 - y^2). l <= 2.
+void real_sh(const Vec3& w, int planes, float* y);
+
+class Outputs {
+ public:
+  explicit Outputs(const std::vector<OutputDesc>& outputs);
+  const std::vector<OutputPlanes>& list() const { return list_; }
+  int planes() const { return list_.back().first + list_.back().count; }
+  static int planes_of(OutputKind kind);
+  // Whether some plane is not the base. on_surface: of its sensor; normals may differ: shading normals are used.
+  bool respond(bool on_surface, bool normals_differ) const;
+  // Of all planes. cosine: of w with the normal that the base knows; 1 at a point in space.
+  void evaluate(const Vec3& w, const Vec3& shading, float cosine, float* response) const;
+  uint64_t hash() const;
+
+ private:
+  std::vector<OutputDesc> descs_;
+  std::vector<OutputPlanes> list_;
+};
+
+}  // namespace bdpt

@@ -1,0 +1,89 @@
+#include "bake/points.h"
+
+#include "geometry/margin.h"
+#include "sampling/hash.h"
+
+namespace bdpt {
+
+namespace {
+
+constexpr float kUniform = 1 / (4 * kPi);
+
+bool is_free(const Vec3& normal) { return normal == Vec3(0); }
+
+bool is_base(const std::vector<MeasuredPoint>& points, const Outputs& outputs) {
+  bool free = false, held = false;
+  for (const MeasuredPoint& p : points) (is_free(p.normal) ? free : held) = true;
+  return !(free && held) && !outputs.respond(held, false);
+}
+
+}  // namespace
+
+Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs, float offset)
+    : points_(std::move(points)), outputs_(outputs), offset_(offset), hemisphere_(0.5f) {
+  if (offset_ == 0)
+    for (const MeasuredPoint& p : points_) offset_ = std::max(offset_, margin_of(largest(p.p)));
+  // Square, so that neighbours in order are neighbours in blocks.
+  width_ = std::max(1, int(std::ceil(std::sqrt(double(points_.size())))));
+  height_ = int((points_.size() + size_t(width_) - 1) / size_t(width_));
+  responds_ = !is_base(points_, outputs_);
+  bool cosines = true;
+  for (const OutputDesc& o : outputs)
+    cosines = cosines && (o.kind == OutputKind::Irradiance || o.kind == OutputKind::IrradianceOverPi);
+  if (cosines) hemisphere_ = HemisphereSampler(1);
+  hash_ = hash_combine(outputs_.hash(), hash_values(points_.size()));
+  hash_ = hash_bytes(&offset_, sizeof(offset_), hash_);
+  for (const MeasuredPoint& p : points_) {
+    const float numbers[] = {p.p.x, p.p.y, p.p.z, p.normal.x, p.normal.y, p.normal.z, p.radius};
+    hash_ = hash_bytes(numbers, sizeof(numbers), hash_);
+  }
+}
+
+int64_t Points::number(int x, int y) const {
+  const int64_t i = int64_t(y) * width_ + x;
+  return i < int64_t(points_.size()) ? i : -1;
+}
+
+EyeStart Points::start_at(int x, int y, const float u[4]) const {
+  const MeasuredPoint& point = points_[size_t(number(x, y))];
+  EyeStart s;
+  s.film = {float(x) + 0.5f, float(y) + 0.5f};
+  s.p = point.p;
+  s.normal = s.shading = point.normal;
+  s.density_position = 1;
+  if (is_free(point.normal)) {
+    s.direction = sample_sphere(u[2], u[3]);
+    s.cosine = 1;
+    s.density_direction = kUniform;
+  } else {
+    const Frame frame(point.normal);
+    if (point.radius > 0) {
+      const Vec2 d = sample_disk(u[0], u[1]) * point.radius;
+      s.p += frame.t * d.x + frame.b * d.y;
+      s.density_position = 1 / (kPi * point.radius * point.radius);
+    }
+    const Vec3 local = hemisphere_.sample(u[2], u[3]);
+    s.direction = frame.to_world(local);
+    s.margin = offset_;
+    s.cosine = std::max(local.z, 1e-7f);
+    s.density_direction = hemisphere_.density(s.cosine);
+  }
+  s.weight = 1 / s.density_direction;
+  return s;
+}
+
+bool Points::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const {
+  direction = {1, kUniform, 1};
+  if (is_free(z0.normal)) return true;
+  direction.cosine = dot(z0.normal, w);
+  if (!(direction.cosine > 0)) return false;
+  direction.density = hemisphere_.density(direction.cosine);
+  return true;
+}
+
+void Points::respond(const SensorPlace& place, const Vec3& w, float* response) const {
+  const bool free = is_free(place.normal);
+  outputs_.evaluate(w, place.normal, free ? 1 : dot(place.normal, w), response);
+}
+
+}  // namespace bdpt

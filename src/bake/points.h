@@ -1,0 +1,48 @@
+// The light that arrives at points in space, or at small disks: vertices, light sensors, probes.
+#pragma once
+
+#include "bake/hemisphere.h"
+#include "bake/outputs.h"
+
+#include <vector>
+
+namespace bdpt {
+
+struct MeasuredPoint {
+  Vec3 p;
+  Vec3 normal{0, 0, 0};  // unit: it sees the hemisphere round it; zero: it sees all directions
+  float radius = 0;      // of a disk across the normal, over which the mean is taken
+};
+
+class Points final : public Sensor {
+ public:
+  // offset: how far along its normal a point's rays start; 0 = enough for a point that lies on a surface no larger than
+  // the points' own coordinates.
+  Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs, float offset = 0);
+
+  // Points stand in rows, in order; the last row may have room left.
+  int width() const override { return width_; }
+  int height() const override { return height_; }
+  bool is_hittable() const override { return false; }
+  uint64_t hash() const override { return hash_; }
+  bool is_local() const override { return true; }
+  int64_t number(int x, int y) const override;
+  uint64_t count() const override { return points_.size(); }
+  const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
+  bool responds() const override { return responds_; }
+
+  EyeStart start_at(int x, int y, const float u[4]) const override;
+  bool look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const override;
+  void respond(const SensorPlace& place, const Vec3& w, float* response) const override;
+
+ private:
+  std::vector<MeasuredPoint> points_;
+  Outputs outputs_;
+  int width_, height_;
+  bool responds_;
+  float offset_;
+  HemisphereSampler hemisphere_;
+  uint64_t hash_;
+};
+
+}  // namespace bdpt

@@ -1,0 +1,91 @@
+// Which parts of which triangles a texel covers. Eye subpaths start in these parts, by their area in the world; A_j is
+// their sum.
+#pragma once
+
+#include "base/memory.h"
+#include "math/uv_raster.h"
+#include "scene/scene.h"
+#include "sensor/sensor.h"
+
+#include <memory>
+#include <vector>
+
+namespace bdpt {
+
+// An instance of the scene and its place in an atlas: texture coordinates are scaled and moved there.
+struct LightmapInstance {
+  uint32_t instance = 0;
+  int atlas = 0;
+  int uv_set = 1;
+  Vec2 scale{1, 1}, offset{0, 0};
+  bool flip = false;  // receives on the back
+};
+
+// Atlases of one size, one below the other.
+struct AtlasSize {
+  int width = 1, height = 1, count = 1;
+};
+
+class TexelMap {
+ public:
+  // A point of a surface.
+  struct Point {
+    uint32_t placed;  // index of the LightmapInstance
+    uint32_t primitive;
+    float u, v;  // barycentric coordinates of the second and third vertex
+  };
+  struct Report {
+    uint64_t texels = 0;      // that cover some surface
+    uint64_t shared = 0;      // of these, more than one instance's
+    uint64_t unmapped = 0;    // triangles without area in the atlas
+    uint64_t outside = 0;     // triangles that reach outside of the atlas
+    double area = 0;          // of the surface covered
+    double area_outside = 0;  // of the mapped surface that lies outside
+  };
+
+  // subset: the texels to keep, in rows of all atlases.
+  TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasSize& size,
+           const PixelRect& subset, const std::shared_ptr<MemoryMeter>& meter);
+
+  int width() const { return size_.width; }
+  int height() const { return size_.height * size_.count; }
+  const Report& report() const { return report_; }
+  const LightmapInstance& placed(uint32_t i) const { return instances_[i]; }
+  // A_j; 0 where a texel covers no surface.
+  float area(int x, int y) const { return areas_[texel(x, y)]; }
+  // The part of a texel, by its area in the atlas, that is covered; above 1 where surfaces overlap.
+  float coverage(int x, int y) const { return coverage_[texel(x, y)]; }
+  // The number of a texel among those that cover some surface; -1 for others.
+  int64_t number(int x, int y) const { return numbers_[texel(x, y)]; }
+  void find(uint64_t number, int& x, int& y) const {
+    x = int(covered_[number] % uint32_t(size_.width)), y = int(covered_[number] / uint32_t(size_.width));
+  }
+  // A point of what texel (x, y) covers, uniform by area.
+  Point sample(int x, int y, double u0, float u1) const;
+  // The texel in which a point of the surface lies; false where none does.
+  bool find(uint32_t instance, uint32_t primitive, float u, float v, int& x, int& y) const;
+  int placed_index(uint32_t instance) const { return instance < by_instance_.size() ? by_instance_[instance] : -1; }
+
+ private:
+  struct Fragment {
+    uint32_t placed, primitive;
+    double until;  // area of the texel's fragments up to this one
+  };
+  size_t texel(int x, int y) const { return size_t(y) * size_t(size_.width) + size_t(x); }
+  // The triangle in texels of all atlases; false where it has no area.
+  bool triangle(const LightmapInstance& placed, uint32_t primitive, UvTriangle& uv) const;
+
+  const Scene& scene_;
+  std::vector<LightmapInstance> instances_;
+  AtlasSize size_;
+  std::vector<int> by_instance_;
+  std::vector<uint64_t> first_;  // fragment of each texel, and one more
+  std::vector<Fragment> fragments_;
+  std::vector<float> areas_, coverage_;
+  std::vector<int32_t> numbers_;
+  std::vector<uint32_t> covered_;  // texels by their numbers
+  Report report_;
+  Booking booking_;
+};
+
+}  // namespace bdpt

@@ -1,0 +1,281 @@
+// Lightmaps and points by the C ABI: what is refused, what they tell, and that they measure.
+#include "api_scene.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace bdpt_api {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+struct Asked {
+  bdpt_lightmap_desc desc = make<bdpt_lightmap_desc>();
+  std::vector<bdpt_lightmap_instance> instances;
+  std::vector<bdpt_output_desc> outputs;
+
+  explicit Asked(const World& world) {
+    desc.width = desc.height = 8;
+    instances.push_back(make<bdpt_lightmap_instance>());
+    instances[0].instance = world.contents.floor;
+  }
+  bdpt_result create(const bdpt_scene* scene, bdpt_sensor** sensor) {
+    desc.instances = instances.data(), desc.instance_count = uint32_t(instances.size());
+    desc.outputs = outputs.data(), desc.output_count = uint32_t(outputs.size());
+    return bdpt_lightmap_create(const_cast<bdpt_scene*>(scene), &desc, sensor);
+  }
+  void add(bdpt_output_kind kind, bdpt_light_paths paths = BDPT_LIGHT_PATHS_ALL) {
+    outputs.push_back(make<bdpt_output_desc>());
+    outputs.back().kind = kind, outputs.back().paths = paths;
+  }
+};
+
+Sensor lightmap(
+    const World& world, const std::function<void(Asked&)>& change = [](Asked&) {}) {
+  Asked asked(world);
+  change(asked);
+  bdpt_sensor* sensor = nullptr;
+  EXPECT_OK(asked.create(world.scene.get(), &sensor));
+  return Sensor(sensor);
+}
+
+bdpt_point point_at(float x, float y, float z, float ny = 0) { return {{x, y, z}, {0, ny, 0}, 0, 0}; }
+
+TEST(ApiBake, LightmapFieldsAreChecked) {
+  const World world;
+  const auto result = [&](const std::function<void(Asked&)>& change) {
+    Asked asked(world);
+    change(asked);
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result r = asked.create(world.scene.get(), &sensor);
+    EXPECT_EQ(r == BDPT_OK, sensor != nullptr);
+    bdpt_sensor_release(sensor);
+    return r;
+  };
+  const auto refused = [&](const std::function<void(Asked&)>& change) {
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, result(change)) << bdpt_last_error();
+  };
+  EXPECT_OK(result([](Asked&) {}));
+  refused([](Asked& a) { a.desc.width = 0; });
+  refused([](Asked& a) { a.desc.height = 65537; });
+  refused([](Asked& a) { a.desc.atlas_count = 8193; });
+  refused([](Asked& a) { a.desc.rect[2] = 4; });
+  refused([](Asked& a) { a.desc.rect[2] = 9, a.desc.rect[3] = 8; });
+  refused([](Asked& a) { a.desc.geometric_normals = 2; });
+  refused([](Asked& a) { a.desc.reserved = 1; });
+  refused([](Asked& a) { a.desc.instance_stride = 12; });
+  refused([](Asked& a) { a.instances.clear(); });
+  refused([](Asked& a) { a.instances.push_back(a.instances[0]); });
+  refused([](Asked& a) { a.instances[0].atlas = 1; });
+  refused([](Asked& a) { a.instances[0].uv_set = 2; });
+  refused([](Asked& a) { a.instances[0].uv_set = 1; });  // the square has no set 0
+  refused([](Asked& a) { a.instances[0].flip = 2; });
+  refused([](Asked& a) { a.instances[0].scale[1] = kNan; });
+  refused([](Asked& a) { a.instances[0].offset[0] = kNan; });
+  refused([](Asked& a) { a.instances[0].offset[0] = 2; });  // nothing within the atlas
+  refused([&](Asked& a) { a.instances[0].instance = world.contents.thing; });
+  EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "sphere")) << bdpt_last_error();
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_FLUENCE + 1); });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_FLUENCE, 3); });
+  refused([](Asked& a) { a.add(0), a.outputs[0].reserved = 1; });
+  refused([](Asked& a) { a.outputs.assign(200, make<bdpt_output_desc>()), a.outputs[0].struct_size = 3; });
+  refused([](Asked& a) {
+    for (int i = 0; i < 114; ++i) a.add(BDPT_OUTPUT_RADIANCE_SH2);
+  });
+  EXPECT_EQ(BDPT_ERROR_INVALID_ID, result([](Asked& a) { a.instances[0].instance.id = 0; }));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ID, result([&](Asked& a) { a.instances[0].instance.id ^= 0x7777; }));
+}
+
+TEST(ApiBake, PointFieldsAreChecked) {
+  const Context context = make_context();
+  const auto result = [&](const std::function<void(bdpt_points_desc&, bdpt_point&, bdpt_output_desc&)>& change) {
+    bdpt_points_desc desc = make<bdpt_points_desc>();
+    bdpt_point point = point_at(0, 1, 0, 1);
+    bdpt_output_desc output = make<bdpt_output_desc>();
+    desc.count = 1, desc.points = &point, desc.output_count = 1, desc.outputs = &output;
+    change(desc, point, output);
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result r = bdpt_points_create(context.get(), &desc, &sensor);
+    EXPECT_EQ(r == BDPT_OK, sensor != nullptr);
+    bdpt_sensor_release(sensor);
+    return r;
+  };
+  EXPECT_OK(result([](auto&, auto&, auto&) {}));
+  const auto refused = [&](const std::function<void(bdpt_points_desc&, bdpt_point&, bdpt_output_desc&)>& change) {
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, result(change)) << bdpt_last_error();
+  };
+  refused([](auto& d, auto&, auto&) { d.count = 0; });
+  refused([](auto& d, auto&, auto&) { d.count = uint64_t(1) << 32; });
+  refused([](auto& d, auto&, auto&) { d.points = nullptr; });
+  refused([](auto& d, auto&, auto&) { d.point_stride = 8; });
+  refused([](auto& d, auto&, auto&) { d.offset = -1; });
+  refused([](auto&, auto& p, auto&) { p.position[1] = kNan; });
+  refused([](auto&, auto& p, auto&) { p.normal[1] = kNan; });
+  refused([](auto&, auto& p, auto&) { p.radius = -1; });
+  refused([](auto&, auto& p, auto&) { p.normal[1] = 0; });  // irradiance needs one
+  refused([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 1; });
+  refused([](auto&, auto& p, auto&) { p.reserved = 1; });
+}
+
+TEST(ApiBake, ALightmapTellsWhatItCovers) {
+  const World world;
+  const Sensor sensor = lightmap(world, [](Asked& a) {
+    a.desc.atlas_count = 2;
+    a.instances[0].atlas = 1, a.instances[0].scale[0] = a.instances[0].scale[1] = 0.5f;
+    a.instances[0].offset[0] = 0.75f;  // its right half lies outside
+  });
+  bdpt_lightmap_info info = make<bdpt_lightmap_info>();
+  ASSERT_OK(bdpt_lightmap_get_info(sensor.get(), &info));
+  EXPECT_EQ(8u, info.width);
+  EXPECT_EQ(16u, info.height);
+  EXPECT_EQ(8u, info.texels);
+  EXPECT_EQ(2u, info.triangles_outside);
+  EXPECT_EQ(0u, info.triangles_unmapped);
+  EXPECT_NEAR(18, info.area, 1e-4);
+  EXPECT_NEAR(18, info.area_outside, 1e-4);
+  std::vector<float> coverage(128), area(128);
+  ASSERT_OK(bdpt_lightmap_read_texels(sensor.get(), coverage.data(), area.data(), 128));
+  for (uint32_t y = 0; y < 16; ++y)
+    for (uint32_t x = 0; x < 8; ++x) {
+      const bool covered = x >= 6 && y >= 12;  // v from 0 to 0.5: the lower half of the second atlas
+      EXPECT_NEAR(covered ? 1 : 0, coverage[y * 8 + x], 1e-6) << x << ", " << y;
+      EXPECT_NEAR(covered ? 2.25 : 0, area[y * 8 + x], 1e-5) << x << ", " << y;
+    }
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_lightmap_read_texels(sensor.get(), coverage.data(), nullptr, 127));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_lightmap_get_info(world.sensor.get(), &info));
+  const bdpt_film_info film = info_of(make_film(sensor.get()).get());
+  EXPECT_EQ(8u, film.measured);
+  EXPECT_EQ(1u, film.planes);
+}
+
+// A texel of the floor and a point above its middle agree, output by output.
+TEST(ApiBake, ATexelMeasuresWhatAPointDoes) {
+  const World world;
+  std::vector<bdpt_output_desc> outputs;
+  const Sensor map = lightmap(world, [&](Asked& a) {
+    a.desc.width = a.desc.height = 31;
+    a.add(BDPT_OUTPUT_IRRADIANCE), a.add(BDPT_OUTPUT_RADIANCE_SH1), a.add(BDPT_OUTPUT_IRRADIANCE_OVER_PI);
+    a.add(BDPT_OUTPUT_IRRADIANCE, BDPT_LIGHT_PATHS_DIRECT), a.add(BDPT_OUTPUT_IRRADIANCE, BDPT_LIGHT_PATHS_INDIRECT);
+    outputs = a.outputs;
+  });
+  const bdpt_point place = point_at(1.548387f, 0, 0, 2);  // the middle of texel 23 of 31, the floor being 6 wide
+  bdpt_points_desc desc = make<bdpt_points_desc>();
+  desc.count = 1, desc.points = &place;
+  desc.outputs = outputs.data(), desc.output_count = uint32_t(outputs.size());
+  bdpt_sensor* point = nullptr;
+  ASSERT_OK(bdpt_points_create(world.context.get(), &desc, &point));
+  const Sensor owner(point);
+  const auto measure = [&](bdpt_sensor* sensor, uint64_t n) {
+    Film film = make_film(sensor);
+    const Render render = make_render(world.scene.get(), sensor, film.get());
+    EXPECT_OK(advance(render.get(), n));
+    return film;
+  };
+  const Film a = measure(map.get(), 512), b = measure(point, 8192);
+  EXPECT_EQ(8u, info_of(a.get()).planes);
+  std::vector<double> value;
+  for (uint32_t plane = 0; plane < 8; ++plane) {
+    const double texel = double(pixels_of(a.get(), BDPT_LAYER_COLOR, plane)[3 * (15 * 31 + 23)]);
+    const double here = double(pixels_of(b.get(), BDPT_LAYER_COLOR, plane)[0]);
+    EXPECT_NEAR(here, texel, 0.02 * double(pixels_of(b.get())[0])) << plane;
+    value.push_back(here);
+  }
+  EXPECT_NEAR(value[5] * M_PI, value[0], 1e-4 * value[0]);
+  EXPECT_NEAR(value[6] + value[7], value[0], 1e-4 * value[0]);
+  EXPECT_GT(value[7], 0.001 * value[0]);
+}
+
+TEST(ApiBake, TheBackReceivesWhereItIsAsked) {
+  const World world;
+  const Sensor front = lightmap(world), back = lightmap(world, [](Asked&a) { a.instances[0].flip = 1; });
+  const Film lit = make_film(front.get()), dark = make_film(back.get());
+  ASSERT_OK(advance(make_render(world.scene.get(), front.get(), lit.get()).get(), 4));
+  ASSERT_OK(advance(make_render(world.scene.get(), back.get(), dark.get()).get(), 4));
+  double sum = 0;
+  for (float v : pixels_of(lit.get())) sum += double(v);
+  EXPECT_GT(sum, 1);
+  for (float v : pixels_of(dark.get())) EXPECT_EQ(0, v);
+}
+
+TEST(ApiBake, WhatDoesNotFitIsRefused) {
+  const World world, other;
+  const Sensor sensor = lightmap(world);
+  bdpt_film_desc tent = make<bdpt_film_desc>();
+  tent.filter = BDPT_FILTER_TENT;
+  bdpt_film* none = nullptr;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_film_create(sensor.get(), &tent, &none));
+  const Film film = make_film(sensor.get());
+  bdpt_render* render = nullptr;
+  EXPECT_EQ(BDPT_ERROR_MISMATCH, bdpt_render_create(other.scene.get(), sensor.get(), film.get(), nullptr, &render));
+  bdpt_render_desc desc = make<bdpt_render_desc>();
+  desc.plan = "mmlt";
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT,
+            bdpt_render_create(world.scene.get(), sensor.get(), film.get(), &desc, &render));
+  desc.plan = nullptr, desc.adaptive = BDPT_ADAPTIVE_TWO_STAGES;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT,
+            bdpt_render_create(world.scene.get(), sensor.get(), film.get(), &desc, &render));
+  const Sensor camera = make_camera(world.context.get(), camera_desc(8, 8));
+  const Film pixels = make_film(camera.get());
+  EXPECT_EQ(BDPT_ERROR_MISMATCH, bdpt_render_create(world.scene.get(), sensor.get(), pixels.get(), nullptr, &render));
+  EXPECT_EQ(BDPT_ERROR_MISMATCH, bdpt_render_create(world.scene.get(), camera.get(), film.get(), nullptr, &render));
+  float texels[8 * 8 * 3];
+  bdpt_read_desc read = make<bdpt_read_desc>();
+  read.plane = 1;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_film_read(film.get(), &read, texels, sizeof texels));
+  read.plane = 0, read.layer = BDPT_LAYER_EYE;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_film_read(film.get(), &read, texels, sizeof texels));
+}
+
+// The same bits by any number of threads, from halves that are merged, and from a file.
+TEST(ApiBake, BitsDoNotDependOnThreadsRangesAndFiles) {
+  const auto bake = [](uint32_t threads, uint64_t first, uint64_t count, const char* plan) {
+    bdpt_context_desc context = make<bdpt_context_desc>();
+    context.threads = threads;
+    const World world(&context);
+    const Sensor sensor = lightmap(world, [](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_SH1); });
+    bdpt_render_desc desc = make<bdpt_render_desc>();
+    desc.first_pass = first, desc.plan = plan, desc.seed = 7;
+    Film film = make_film(sensor.get());
+    EXPECT_OK(advance(make_render(world.scene.get(), sensor.get(), film.get(), &desc).get(), count));
+    return film;
+  };
+  for (const char* plan : {"one-to-one", "two-way", "pooled", "matrix"}) {
+    const Film whole = bake(1, 0, 16, plan), half = bake(2, 0, 8, plan), rest = bake(2, 8, 8, plan);
+    const std::string path = testing::TempDir() + "bake.film";
+    ASSERT_OK(bdpt_film_save(half.get(), path.c_str()));
+    const Context context = make_context();
+    bdpt_film* loaded = nullptr;
+    ASSERT_OK(bdpt_film_load(context.get(), path.c_str(), &loaded));
+    const Film film(loaded);
+    ASSERT_OK(bdpt_film_merge(film.get(), rest.get()));
+    for (uint32_t plane = 0; plane < 4; ++plane)
+      EXPECT_EQ(pixels_of(whole.get(), BDPT_LAYER_COLOR, plane), pixels_of(film.get(), BDPT_LAYER_COLOR, plane))
+          << plan << ", plane " << plane;
+    std::remove(path.c_str());
+  }
+}
+
+// Texels of a part have the bits of the whole where no light subpath takes part.
+TEST(ApiBake, APartHasTheBitsOfTheWhole) {
+  const World world;
+  const Sensor all = lightmap(world), part = lightmap(world, [](Asked&a) {
+                                        a.desc.rect[0] = 2, a.desc.rect[1] = 3, a.desc.rect[2] = 6, a.desc.rect[3] = 8;
+                                      });
+  bdpt_render_desc path = make<bdpt_render_desc>();
+  path.techniques[0] = path.techniques[1] = ~1u;
+  const auto bake = [&](bdpt_sensor* sensor) {
+    const Film film = make_film(sensor);
+    EXPECT_OK(advance(make_render(world.scene.get(), sensor, film.get(), &path).get(), 4));
+    return pixels_of(film.get());
+  };
+  const std::vector<float> whole = bake(all.get()), some = bake(part.get());
+  for (size_t y = 0; y < 8; ++y)
+    for (size_t x = 0; x < 8; ++x) {
+      const bool inside = x >= 2 && x < 6 && y >= 3;
+      EXPECT_EQ(inside ? whole[3 * (8 * y + x)] : 0, some[3 * (8 * y + x)]) << x << ", " << y;
+    }
+}
+
+}  // namespace
+}  // namespace bdpt_api

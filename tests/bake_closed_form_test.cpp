@@ -1,0 +1,174 @@
+// Measurements whose values are known: form factors, uniform skies, fluxes, charts of unequal density.
+#include "baking.h"
+
+namespace bdpt {
+namespace {
+
+using namespace baking;
+using scenes::Builder;
+
+// The mean over many seeds of plane `plane` of a sensor of one measurement.
+Estimate value_of(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options, int plane,
+                  int seeds = 32, uint64_t passes = 64) {
+  Estimate e;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const Picture p = render(scene, sensor, options, passes, uint64_t(seed));
+    e.add(double(read(*p.film, FilmLayer::Color, 0, 0, plane)[0]));
+    EXPECT_EQ(p.film->rejected(), 0u);
+  }
+  return e;
+}
+
+void expect_within(const Estimate& e, double value, double relative, const std::string& what) {
+  expect_value(e, value, 64, what, 1e-5 * value);
+  EXPECT_LT(e.standard_error(), relative * value) << what;
+}
+
+// Direct light alone. Seeds are independent, whatever the points of one seed are.
+Way way_of_direct(const char* name, const std::function<bool(int, int)>& allows) {
+  TransportOptions options = options_for(mask_of(allows), 1);
+  options.sampler = SamplerType::Sobol;
+  return {name, options};
+}
+std::vector<Way> ways_of_direct() {
+  return {way_of_direct("s = 0", [](int s, int) { return s == 0; }),
+          way_of_direct("s = 1", [](int s, int) { return s == 1; }),
+          way_of_direct("all", [](int, int) { return true; })};
+}
+
+// Form factor of a rectangle parallel to a point's plane, its corner above the point.
+double corner_form_factor(double a, double b, double h) {
+  const double x = a / h, y = b / h, u = std::sqrt(1 + x * x), v = std::sqrt(1 + y * y);
+  return (x / u * std::atan(y / u) + y / v * std::atan(x / v)) / (2 * M_PI);
+}
+
+TEST(BakeClosedForm, FormFactorsOfARectangleAndADisk) {
+  Builder rectangle;
+  rectangle.add(
+      scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f)),
+      scenes::emitter(Rgb(3)));
+  double factor = 0;
+  for (double x : {0.3, 0.5})
+    for (double z : {0.2, 0.4}) factor += corner_form_factor(x, z, 0.6);
+  Builder disk;
+  disk.add(scenes::disk(Vec3(0, 0.6f, 0), Vec3(0, -1, 0), 0.4f, 256), scenes::emitter(Rgb(3)));
+  const SensorPointer point = points({{Vec3(0), Vec3(0, 1, 0)}},
+                                     {OutputDesc{OutputKind::Irradiance}, OutputDesc{OutputKind::IrradianceOverPi}});
+  for (const Way& way : ways_of_direct()) {
+    const uint64_t passes = way.name == "s = 0" ? 8192 : 1024;
+    expect_within(value_of(rectangle.build(), point, way.options, 0, 32, passes), 3 * M_PI * factor, 2e-3,
+                  "rectangle by " + way.name);
+    expect_within(value_of(rectangle.build(), point, way.options, 1, 32, passes), 3 * factor, 2e-3,
+                  "rectangle, over pi, by " + way.name);
+    expect_within(value_of(disk.build(), point, way.options, 0, 32, passes), 3 * M_PI * 0.16 / (0.16 + 0.36), 2e-3,
+                  "disk by " + way.name);
+  }
+}
+
+// A point that sees all of a sky of radiance 2, or the half of it above y = 0.
+TEST(BakeClosedForm, SphericalHarmonicsOfAUniformSky) {
+  Builder b;
+  b.environment(Rgb(2));
+  const ScenePointer scene = b.build();
+  const std::vector<OutputDesc> outputs = {OutputDesc{OutputKind::RadianceSh2}, OutputDesc{OutputKind::IrradianceSh2},
+                                           OutputDesc{OutputKind::Fluence}};
+  const SensorPointer free = points({{Vec3(0)}}, outputs), held = points({{Vec3(0), Vec3(0, 1, 0)}}, outputs);
+  double half[9] = {};  // INT Y_lm over the hemisphere, by its midpoints
+  constexpr int n = 1000;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double y = (i + 0.5) / n, r = std::sqrt(1 - y * y), phi = 2 * M_PI * (j + 0.5) / n;
+      float sh[9];
+      real_sh(Vec3(float(r * std::cos(phi)), float(y), float(r * std::sin(phi))), 9, sh);
+      for (int k = 0; k < 9; ++k) half[k] += double(sh[k]) * 2 * M_PI / (double(n) * n);
+    }
+  for (const Way& way : ways_of_direct()) {
+    for (int k = 0; k < 9; ++k) {
+      const double band = k == 0 ? M_PI : k < 4 ? 2 * M_PI / 3 : M_PI / 4;
+      const double whole = k == 0 ? 2 * 4 * M_PI * 0.28209479 : 0;
+      const std::string what = "plane " + std::to_string(k) + " by " + way.name;
+      const auto expect = [&](const SensorPointer& sensor, int plane, double value) {
+        const Estimate e = value_of(scene, sensor, way.options, plane, 32, 1024);
+        expect_value(e, value, 128, what, 2e-5);
+        EXPECT_LT(e.standard_error(), 0.02 * 2 * band) << what;
+      };
+      expect(free, k, whole);
+      expect(free, 9 + k, whole * band);
+      expect(held, k, 2 * half[k]);
+      expect(held, 9 + k, 2 * half[k] * band);
+    }
+    expect_within(value_of(scene, free, way.options, 18, 32, 1024), 8 * M_PI, 2e-3, "fluence by " + way.name);
+    expect_within(value_of(scene, held, way.options, 18, 32, 1024), 4 * M_PI, 2e-3, "half fluence by " + way.name);
+  }
+}
+
+// A lamp over a floor: what falls on it by texels is what leaves the lamp toward it, and does not depend on how the
+// floor is laid out in the atlas.
+scenes::MeshData floor_quads() {
+  scenes::MeshData m;
+  for (int i = 0; i < 4; ++i) {
+    const float x = i % 2 ? 0.0f : -1.0f, z = i / 2 ? 0.0f : -1.0f;
+    m.add_quad(Vec3(x, 0, z + 1), Vec3(x + 1, 0, z + 1), Vec3(x + 1, 0, z), Vec3(x, 0, z));
+  }
+  return m;
+}
+
+// Four charts of unequal density, turned by unequal angles.
+scenes::MeshData turned_floor() {
+  scenes::MeshData m = floor_quads();
+  const float sizes[] = {0.42f, 0.2f, 0.3f, 0.11f}, turns[] = {0.3f, 1.1f, 2.2f, 4};
+  for (size_t i = 0; i < 4; ++i) {
+    const Vec2 center(i % 2 ? 0.75f : 0.27f, i / 2 ? 0.75f : 0.27f);
+    for (const Vec2& c : {Vec2(-0.5f, -0.5f), Vec2(0.5f, -0.5f), Vec2(0.5f, 0.5f), Vec2(-0.5f, 0.5f)}) {
+      const float cs = std::cos(turns[i]), sn = std::sin(turns[i]);
+      m.lightmap_uv.push_back(center + Vec2(cs * c.x - sn * c.y, sn * c.x + cs * c.y) * sizes[i]);
+    }
+  }
+  return m;
+}
+
+TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
+  const Material lamp = scenes::emitter(Rgb(3));
+  const scenes::MeshData lamp_mesh =
+      scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f));
+  // The flux from the lamp to the floor: E integrated over the floor by the closed form.
+  double flux = 0;
+  constexpr int n = 400;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = -1 + 2 * (i + 0.5) / n, z = -1 + 2 * (j + 0.5) / n;
+      double factor = 0;
+      for (const double side : {-1.0, 1.0})
+        for (const double end : {-1.0, 1.0}) {
+          const double a = (side < 0 ? -0.3 : 0.5) - x, b = (end < 0 ? -0.2 : 0.4) - z;
+          factor +=
+              side * end * (a < 0 ? -1 : 1) * (b < 0 ? -1 : 1) * corner_form_factor(std::fabs(a), std::fabs(b), 0.6);
+        }
+      flux += 3 * M_PI * factor * 4 / (double(n) * n);
+    }
+  for (const bool turned : {false, true}) {
+    Builder b;
+    b.add(turned ? turned_floor() : scenes::unwrapped(floor_quads(), 2, 0), scenes::diffuse(0.0f));
+    b.add(lamp_mesh, lamp);
+    const ScenePointer scene = b.build();
+    const auto sensor = lightmap(scene, 24);
+    EXPECT_NEAR(sensor->texels().report().area, 4, 1e-5);
+    for (const Way& way :
+         {Way{"t = 0", options_for(mask_of([](int, int t) { return t == 0; }), 1)},
+          Way{"s = 1", options_for(mask_of([](int s, int) { return s == 1; }), 1)}, Way{"all", options_for({}, 1)}}) {
+      Estimate e;
+      for (int seed = 0; seed < 24; ++seed) {
+        const std::vector<float> map = read(*render(scene, sensor, way.options, 160, uint64_t(seed)).film);
+        double sum = 0;
+        for (int y = 0; y < 24; ++y)
+          for (int x = 0; x < 24; ++x) sum += double(sensor->texels().area(x, y)) * double(map[3 * size_t(y * 24 + x)]);
+        e.add(sum);
+      }
+      expect_value(e, flux, 6, way.name, 2e-5 * flux);
+      EXPECT_LT(e.standard_error(), 2e-3 * flux) << way.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bdpt
