@@ -43,6 +43,18 @@ Shape "trianglemesh" "point3 P" [-3 -1 -3  3 -1 -3  3 -1 3  -3 -1 3] "integer in
 Shape "sphere" "float radius" .7
 SCENE
 printf 'Camera "perspective"\nWorldBegin\nShape "torus"\n' >torus.pbrt
+# One triangle that emits from both sides.
+cat >triangle.gltf <<'SCENE'
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "children": [1]}, {"camera": 0, "translation": [0.3, 0.3, 3]}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+ "materials": [{"emissiveFactor": [1, 1, 1], "doubleSided": true}],
+ "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]}
+SCENE
+sed 's/"mesh": 0/"mesh": 1/' triangle.gltf >no-mesh.gltf
+cp triangle.gltf triangle.obj
 
 expect 0 '' --version
 expect 0 '' render --help
@@ -75,6 +87,13 @@ expect 0 '' compare full.exr sum.film --json --diff diff.png
 grep -q '"mse": 0,' stdout.txt || fail "equal pictures differ: $(cat stdout.txt)"
 expect 0 '' render box.pbrt -o small.exr --spp 1 --width 16 --height 12
 expect 5 '^bdpt: .*of one size' compare full.exr small.exr
+
+expect 0 '' render triangle.gltf -o triangle.exr --spp 1 --width 16 --height 12
+expect 0 '' info triangle.gltf
+grep -q 'lights *1' stdout.txt || fail "info: $(cat stdout.txt)"
+expect 3 '^bdpt: no-mesh.gltf: nodes\[0\].mesh is 1, and meshes has 1 element$' info no-mesh.gltf
+expect 3 '^bdpt: .*no.glb' render no.glb -o a.exr
+expect 3 '^bdpt: triangle.obj: .*pbrt-v4 files.*glTF 2.0 files' info triangle.obj
 
 expect 0 '' info box.pbrt
 grep -q 'spheres *2' stdout.txt || fail "info: $(cat stdout.txt)"

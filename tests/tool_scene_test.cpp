@@ -8,9 +8,9 @@
 #include <fstream>
 
 #include "pbrt/scene_reader.h"
-#include "pbrt/transform.h"
 #include "scene_upload.h"
 #include "temp_folder.h"
+#include "transform.h"
 
 namespace bdpt_tool {
 namespace {
@@ -81,6 +81,10 @@ TEST_F(ToolScene, AttributeBlocksRestoreEverythingTransformBlocksTheTransform) {
                  kTriangle);
   EXPECT_EQ(scene.instances[0].transform[3], 0);
   EXPECT_EQ(scene.materials[0].type, BDPT_MATERIAL_DIELECTRIC);
+}
+
+TEST_F(ToolScene, InstancesAreNamedAfterTheirShapes) {
+  EXPECT_EQ(read_world(kTriangle).instances[0].label, "trianglemesh at scene.pbrt:3");
 }
 
 TEST_F(ToolScene, LookAtPutsTheTargetInFrontOfTheCameraWithoutMirroring) {

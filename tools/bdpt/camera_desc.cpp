@@ -11,8 +11,9 @@ namespace bdpt_tool {
 namespace {
 
 // What the image shows of the plane z = 1: x0, x1, y0, y1, before the field of view widens it. The field of view is
-// that of the shorter axis, whatever the window.
+// that of the shorter axis, whatever the window, unless it is the vertical one.
 std::array<float, 4> screen_window(const CameraDescription& camera, float image_aspect) {
+  if (camera.fov_is_vertical) return {-image_aspect, image_aspect, -1, 1};
   if (camera.screen) return *camera.screen;
   const float aspect = camera.frame_aspect.value_or(image_aspect);
   if (aspect > 1) return {-aspect, aspect, -1, 1};

@@ -109,7 +109,7 @@ ExitCode info(const InfoOptions& options) {
 void add_info_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("info", "Tell what a scene holds");
   const auto options = std::make_shared<InfoOptions>();
-  command->add_option("scene", options->scene, "A pbrt-v4 scene file")->required();
+  command->add_option("scene", options->scene, "A scene file: pbrt-v4, or glTF 2.0 (.gltf, .glb)")->required();
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->callback([&chosen, options] { chosen = [options] { return info(*options); }; });
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "error.h"
@@ -29,6 +30,12 @@ struct ByteImage {
 
 // JPEG or PNG, by what the file begins with. Alpha is dropped, 16 bits are rounded to 8.
 ByteImage read_byte_image(const std::string& path, const Location& from = {});
+// The same for a file in memory, which errors call `name`.
+ByteImage decode_byte_image(const std::string& name, std::string_view data, const Location& from = {});
+
+float srgb_to_linear(float x);
+// Three channels, out of the sRGB curve.
+Image to_linear(const ByteImage& bytes);
 
 // The layers of an OpenEXR file that have channels R, G and B; the main one has an empty name.
 std::map<std::string, Image> read_exr(const std::string& path, const Location& from = {});

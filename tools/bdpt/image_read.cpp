@@ -10,12 +10,14 @@ void detail::fail_image(const std::string& path, const Location& from, const std
   throw Error(from, "cannot read the image '" + path + "': " + reason);
 }
 
+ByteImage decode_byte_image(const std::string& name, std::string_view data, const Location& from) {
+  if (data.starts_with("\xFF\xD8\xFF")) return detail::read_jpeg(name, data, from);
+  if (data.starts_with("\x89PNG")) return detail::read_png(name, data, from);
+  detail::fail_image(name, from, "neither JPEG nor PNG; convert it to one of these");
+}
+
 ByteImage read_byte_image(const std::string& path, const Location& from) {
-  const FileData file(path, from);
-  const std::string_view data = file.text();
-  if (data.starts_with("\xFF\xD8\xFF")) return detail::read_jpeg(path, data, from);
-  if (data.starts_with("\x89PNG")) return detail::read_png(path, data, from);
-  detail::fail_image(path, from, "neither JPEG nor PNG; convert it to one of these");
+  return decode_byte_image(path, FileData(path, from).text(), from);
 }
 
 }  // namespace bdpt_tool

@@ -12,7 +12,8 @@ namespace bdpt_tool {
 struct TriangleMesh {
   std::vector<float> positions;        // 3 to a vertex
   std::vector<float> normals;          // 3 to a vertex, or empty
-  std::vector<float> uv;               // 2 to a vertex, or empty
+  std::vector<float> uv;               // 2 to a vertex, or empty; for textures
+  std::vector<float> uv_lightmap;      // 2 to a vertex, or empty
   std::vector<std::uint32_t> indices;  // 3 to a triangle
 
   std::size_t vertex_count() const { return positions.size() / 3; }

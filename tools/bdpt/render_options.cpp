@@ -166,7 +166,7 @@ std::uint64_t parse_pass(std::string_view text) {
 }  // namespace
 
 void add_render_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("scene", options.scene, "A pbrt-v4 scene file")->required();
+  command.add_option("scene", options.scene, "A scene file: pbrt-v4, or glTF 2.0 (.gltf, .glb)")->required();
   add_output_options(command, options);
   add_limit_options(command, options);
   add_image_options(command, options);

@@ -48,6 +48,7 @@ struct MaterialDescription {
   std::array<float, 2> roughness = {};
   Rgb emission = {};
   bool emission_two_sided = false;
+  bool one_sided = false;
 
   bool emits() const { return emission[0] > 0 || emission[1] > 0 || emission[2] > 0; }
 };
@@ -57,6 +58,7 @@ struct InstanceDescription {
   int material = 0;
   std::array<float, 12> transform = {};
   Location where;
+  std::string label;  // by which it is named in errors and on the command line
 };
 
 struct LightDescription {
@@ -72,6 +74,7 @@ struct CameraDescription {
   Location where;
   std::array<float, 12> transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // the library's camera to the world
   float fov_short_axis = 90;                                               // degrees over two units of the screen
+  bool fov_is_vertical = false;                // the above is of the image's height, whatever its shape
   std::optional<std::array<float, 4>> screen;  // x0, x1, y0, y1; empty = fitted to the image
   std::optional<float> frame_aspect;           // width over height
   float lens_radius = 0, focus_distance = 0;   // world units

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "gltf/scene_reader.h"
 #include "pbrt/scene_reader.h"
 
 namespace bdpt_tool {
@@ -70,6 +71,7 @@ class Uploader {
     desc.indices = lend(std::move(mesh.indices), 3, BDPT_FORMAT_UINT32X3);
     desc.normals = lend(std::move(mesh.normals), 3, BDPT_FORMAT_FLOAT3);
     desc.uv[0] = lend(std::move(mesh.uv), 2, BDPT_FORMAT_FLOAT2);
+    desc.uv[1] = lend(std::move(mesh.uv_lightmap), 2, BDPT_FORMAT_FLOAT2);
     check(bdpt_mesh_add(builder_.get(), &desc, &id), shape.where);
     return id;
   }
@@ -111,6 +113,7 @@ class Uploader {
     std::copy_n(material.roughness.data(), 2, desc.roughness);
     std::copy_n(material.emission.data(), 3, desc.emission);
     desc.emission_two_sided = material.emission_two_sided;
+    desc.one_sided = material.one_sided;
     bdpt_material_id id{};
     check(bdpt_material_add(builder_.get(), &desc, &id), material.where);
     return id;
@@ -119,7 +122,7 @@ class Uploader {
   void add(const InstanceDescription& instance) {
     const auto shape = static_cast<std::size_t>(instance.shape);
     auto desc = sized<bdpt_instance_desc>();
-    desc.label = description_.shapes[shape].label.c_str();
+    desc.label = instance.label.c_str();
     desc.shape = shapes_[shape];
     desc.material = materials_[static_cast<std::size_t>(instance.material)];
     std::copy_n(instance.transform.data(), 12, desc.transform);
@@ -149,10 +152,12 @@ class Uploader {
 }  // namespace
 
 SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics) {
-  if (std::filesystem::path(path).extension() != ".pbrt") {
-    throw Error(Location{path, 0}, "not a scene this program can read; it reads pbrt-v4 files, named *.pbrt");
-  }
-  return read_pbrt_scene(path, diagnostics);
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".pbrt") return read_pbrt_scene(path, diagnostics);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf_scene(path, diagnostics);
+  throw Error(Location{path, 0},
+              "not a scene this program can read; it reads pbrt-v4 files, named *.pbrt, and glTF 2.0 files, named "
+              "*.gltf or *.glb");
 }
 
 Scene build_scene(bdpt_context* context, SceneDescription& description, bdpt_cancel* cancel) {

@@ -10,7 +10,7 @@
 
 namespace bdpt_tool {
 
-// Reads a scene file. The only format so far is pbrt-v4.
+// Reads a scene file: pbrt-v4 or glTF 2.0, as its name ends.
 SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics);
 
 // Builds the scene. The meshes move into the library, which borrows their memory. Returns no scene if cancelled.

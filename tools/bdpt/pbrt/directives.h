@@ -15,7 +15,7 @@
 #include "pbrt/materials.h"
 #include "pbrt/shapes.h"
 #include "pbrt/textures.h"
-#include "pbrt/transform.h"
+#include "transform.h"
 #include "scene_description.h"
 
 namespace bdpt_tool {

@@ -199,7 +199,8 @@ void Directives::place(const PlacedShape& placed) {
   if (std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry) && uniform_scale(transform) == 0) {
     throw Error(placed.where, "this transform makes an ellipsoid of a sphere; scale alike in all axes, or use a mesh");
   }
-  scene_.instances.push_back({placed.shape, place_material(placed), transform.rows(), placed.where});
+  scene_.instances.push_back({placed.shape, place_material(placed), transform.rows(), placed.where,
+                              scene_.shapes[static_cast<std::size_t>(placed.shape)].label});
 }
 
 void Directives::finish(const Location& end) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pbrt/params.h"
-#include "pbrt/transform.h"
+#include "transform.h"
 #include "scene_description.h"
 
 namespace bdpt_tool {

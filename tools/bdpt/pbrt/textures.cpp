@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kMaxDepth = 16;
 
-float srgb_to_linear(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
-
 // "sRGB" 0, "linear" 1, "gamma 2.2" 2.2; negative if it is none of these.
 float exponent_of(const std::string& encoding) {
   if (encoding == "sRGB") return 0;

@@ -1,4 +1,4 @@
-// Affine transforms, as the pbrt format composes them.
+// Affine transforms.
 //
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

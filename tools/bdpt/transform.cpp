@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pbrt/transform.h"
+#include "transform.h"
 
 #include <cmath>
 #include <numbers>

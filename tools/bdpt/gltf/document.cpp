@@ -1,0 +1,357 @@
+// The only place that knows tinygltf.
+//
+// SPDX-License-Identifier: Apache-2.0
+#include "gltf/document.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>  // for tinygltf, which forgets it
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "file_data.h"
+#include "gltf/schema.h"
+
+#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
+namespace bdpt_tool::gltf {
+
+std::string place(const char* array, std::size_t index, const std::string& name) {
+  std::string text = std::string(array) + "[" + std::to_string(index) + "]";
+  if (!name.empty()) text += " '" + name + "'";
+  return text;
+}
+
+namespace {
+
+// An accessor without data is all zero, and costs its file nothing.
+constexpr std::size_t kMaxZeroElements = std::size_t{1} << 26;
+
+// The buffers in files of their own, in the order in which tinygltf asks for them.
+struct Supply {
+  std::vector<ExternalBuffer> buffers;
+  std::size_t next = 0;
+  Location from;
+};
+
+bool read_buffer(std::vector<unsigned char>* bytes, std::string*, const std::string&, void* user) {
+  auto& supply = *static_cast<Supply*>(user);
+  const ExternalBuffer& buffer = supply.buffers.at(supply.next++);
+  const FileData file(buffer.path, supply.from);
+  if (file.text().size() < buffer.length) {
+    throw Error(supply.from, "'" + buffer.path + "' has " + std::to_string(file.text().size()) + " bytes of " +
+                                 std::to_string(buffer.length) + "; it is cut off, or another file");
+  }
+  bytes->assign(file.text().begin(), file.text().begin() + static_cast<std::ptrdiff_t>(buffer.length));
+  return true;
+}
+
+// An image of a data URI stays as its file has it; one in a buffer view stays there.
+bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                int size, void*) {
+  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
+  return true;
+}
+
+// Later versions of tinygltf want all of these, and one more.
+template <class Callbacks>
+Callbacks file_callbacks(Supply& supply) {
+  Callbacks callbacks{};
+  callbacks.FileExists = [](const std::string&, void*) { return true; };
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = read_buffer;
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
+  if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+    callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string&, void*) {
+      *size = 0;
+      return true;
+    };
+  }
+  callbacks.user_data = &supply;
+  return callbacks;
+}
+
+// Without the bytes of a data URI, and what follows.
+std::string first_line(const std::string& text) {
+  return text.substr(0, std::min(text.find('\n'), text.find("data:")));
+}
+
+tinygltf::Model load(const std::string& path) {
+  const Location where{path, 0};
+  const FileData file(path);
+  const std::string_view data = file.text();
+  if (data.size() > std::numeric_limits<std::int32_t>::max()) {
+    throw Error(where, "larger than 2 GiB; put its data into buffers of their own");
+  }
+  const Container container = open_container(path, data);
+  Supply supply{check_document(path, container), 0, where};
+  tinygltf::TinyGLTF loader;
+  loader.SetImageLoader(keep_image, nullptr);
+  loader.SetFsCallbacks(file_callbacks<tinygltf::FsCallbacks>(supply));
+  tinygltf::Model model;
+  std::string error, warning;
+  const auto size = static_cast<unsigned>(data.size());
+  const bool loaded = container.is_glb
+                          ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                        reinterpret_cast<const unsigned char*>(data.data()), size)
+                          : loader.LoadASCIIFromString(&model, &error, &warning, data.data(), size, "");
+  if (!loaded) throw Error(where, "damaged glTF: " + (error.empty() ? "it cannot be read" : first_line(error)));
+  return model;
+}
+
+class Converter {
+ public:
+  Converter(const std::string& path, tinygltf::Model&& model) : where_{path, 0}, model_(std::move(model)) {}
+
+  Document convert() {
+    convert_data();
+    for (const tinygltf::Material& material : model_.materials) document_.materials.push_back(converted(material));
+    for (const tinygltf::Texture& texture : model_.textures) document_.textures.push_back(converted(texture));
+    for (const tinygltf::Mesh& mesh : model_.meshes) document_.meshes.push_back(converted(mesh));
+    for (const tinygltf::Camera& camera : model_.cameras) document_.cameras.push_back(converted(camera));
+    for (const tinygltf::Light& light : model_.lights) document_.lights.push_back(converted(light));
+    for (const tinygltf::Node& node : model_.nodes) document_.nodes.push_back(converted(node));
+    choose_scene();
+    document_.extensions = model_.extensionsUsed;
+    document_.has_animations = !model_.animations.empty();
+    return std::move(document_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& at, const std::string& text) const { throw Error(where_, at + " " + text); }
+
+  void convert_data() {
+    for (tinygltf::Buffer& buffer : model_.buffers) document_.storage.push_back(std::move(buffer.data));
+    for (std::size_t i = 0; i < model_.accessors.size(); ++i) {
+      document_.accessors.push_back(converted(model_.accessors[i], place("accessors", i)));
+    }
+    for (tinygltf::Image& image : model_.images) {
+      Image converted;
+      converted.name = image.name;
+      if (image.bufferView >= 0) {
+        const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(image.bufferView)];
+        converted.data = data_of(view);
+        converted.size = view.byteLength;
+      } else if (!image.uri.empty()) {
+        // tinygltf leaves a data URI of a kind it does not know as it is; without bytes it is no image.
+        if (!image.uri.starts_with("data:")) converted.path = path_of_uri(where_.file, image.uri);
+      } else {
+        document_.storage.push_back(std::move(image.image));
+        converted.data = document_.storage.back().data();
+        converted.size = document_.storage.back().size();
+      }
+      document_.images.push_back(std::move(converted));
+    }
+  }
+
+  // The moved vectors keep their memory.
+  const unsigned char* data_of(const tinygltf::BufferView& view) const {
+    return document_.storage[static_cast<std::size_t>(view.buffer)].data() + view.byteOffset;
+  }
+
+  Component component(int type, const std::string& at) const {
+    if (type == TINYGLTF_COMPONENT_TYPE_INT) fail(at, "has components of the unknown type 5124");
+    return static_cast<Component>(type);
+  }
+
+  static std::size_t size_of(Component type) {
+    if (type == Component::kByte || type == Component::kUbyte) return 1;
+    return type == Component::kShort || type == Component::kUshort ? 2 : 4;
+  }
+
+  // `count` elements of `size` bytes, `stride` apart, from `offset` on.
+  const unsigned char* checked(int view_index, std::size_t offset, std::size_t count, std::size_t stride,
+                               std::size_t size, const std::string& at) const {
+    const tinygltf::BufferView& view = model_.bufferViews[static_cast<std::size_t>(view_index)];
+    if (stride < size) fail(at, "has elements of " + std::to_string(size) + " bytes in steps of fewer");
+    const std::size_t end = offset + (count - 1) * stride + size;
+    if (end > view.byteLength) {
+      fail(at, "ends at byte " + std::to_string(end) + " of a view of " + std::to_string(view.byteLength));
+    }
+    return data_of(view) + offset;
+  }
+
+  Accessor converted(const tinygltf::Accessor& from, const std::string& at) const {
+    Accessor to;
+    to.count = from.count;
+    to.type = component(from.componentType, at);
+    to.components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(from.type));
+    to.normalized = from.normalized;
+    const std::size_t size = size_of(to.type) * static_cast<std::size_t>(to.components);
+    to.stride = size;
+    if (from.bufferView >= 0) {
+      const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(from.bufferView)].byteStride;
+      if (stride > 0) to.stride = stride;
+      to.data = checked(from.bufferView, from.byteOffset, to.count, to.stride, size, at);
+    } else if (to.count > kMaxZeroElements) {
+      fail(at, "has no data for its " + std::to_string(to.count) + " elements");
+    }
+    if (from.sparse.isSparse) convert_sparse(from, size, at + ".sparse", to);
+    return to;
+  }
+
+  void convert_sparse(const tinygltf::Accessor& from, std::size_t size, const std::string& at, Accessor& to) const {
+    const auto& indices = from.sparse.indices;
+    const auto& values = from.sparse.values;
+    to.sparse.count = static_cast<std::size_t>(from.sparse.count);
+    to.sparse.index_type = component(indices.componentType, at);
+    if (to.sparse.index_type != Component::kUbyte && to.sparse.index_type != Component::kUshort &&
+        to.sparse.index_type != Component::kUint) {
+      fail(at + ".indices", "must be unsigned integers");
+    }
+    const std::size_t index_size = size_of(to.sparse.index_type);
+    to.sparse.indices = checked(indices.bufferView, static_cast<std::size_t>(indices.byteOffset), to.sparse.count,
+                                index_size, index_size, at + ".indices");
+    to.sparse.values = checked(values.bufferView, static_cast<std::size_t>(values.byteOffset), to.sparse.count, size,
+                               size, at + ".values");
+  }
+
+  static const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const char* name) {
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
+  }
+
+  static double number(const tinygltf::Value& object, const char* name, double fallback) {
+    return object.Has(name) ? object.Get(name).GetNumberAsDouble() : fallback;
+  }
+
+  static std::array<double, 2> pair(const tinygltf::Value& object, const char* name,
+                                    const std::array<double, 2>& fallback) {
+    if (!object.Has(name)) return fallback;
+    const tinygltf::Value& values = object.Get(name);
+    return {values.Get(0).GetNumberAsDouble(), values.Get(1).GetNumberAsDouble()};
+  }
+
+  static TextureUse converted(const tinygltf::TextureInfo& from) {
+    TextureUse to;
+    to.texture = from.index;
+    to.uv_set = from.texCoord;
+    if (const tinygltf::Value* transform = extension(from.extensions, "KHR_texture_transform")) {
+      to.transform.offset = pair(*transform, "offset", {0, 0});
+      to.transform.scale = pair(*transform, "scale", {1, 1});
+      to.transform.rotation = number(*transform, "rotation", 0);
+      to.uv_set = static_cast<int>(number(*transform, "texCoord", to.uv_set));
+    }
+    return to;
+  }
+
+  static Material converted(const tinygltf::Material& from) {
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    Material to;
+    to.name = from.name;
+    std::copy_n(pbr.baseColorFactor.begin(), 4, to.base_color.begin());
+    to.base_color_texture = converted(pbr.baseColorTexture);
+    to.metallic = pbr.metallicFactor;
+    to.roughness = pbr.roughnessFactor;
+    to.has_metallic_roughness_texture = pbr.metallicRoughnessTexture.index >= 0;
+    to.has_normal_texture = from.normalTexture.index >= 0;
+    to.has_occlusion_texture = from.occlusionTexture.index >= 0;
+    to.double_sided = from.doubleSided;
+    to.opaque = from.alphaMode == "OPAQUE";
+    convert_emission(from, to);
+    to.unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
+    if (const tinygltf::Value* ior = extension(from.extensions, "KHR_materials_ior")) {
+      to.ior = number(*ior, "ior", 1.5);
+    }
+    if (const tinygltf::Value* transmission = extension(from.extensions, "KHR_materials_transmission")) {
+      to.transmission = number(*transmission, "transmissionFactor", 0);
+      to.has_transmission_texture = transmission->Has("transmissionTexture");
+    }
+    const tinygltf::Value* volume = extension(from.extensions, "KHR_materials_volume");
+    to.has_volume = volume && number(*volume, "thicknessFactor", 0) > 0;
+    return to;
+  }
+
+  static void convert_emission(const tinygltf::Material& from, Material& to) {
+    double strength = 1;
+    if (const tinygltf::Value* value = extension(from.extensions, "KHR_materials_emissive_strength")) {
+      strength = number(*value, "emissiveStrength", 1);
+    }
+    for (std::size_t c = 0; c < 3; ++c) to.emissive[c] = from.emissiveFactor[c] * strength;
+    to.emissive_texture = from.emissiveTexture.index;
+  }
+
+  Texture converted(const tinygltf::Texture& from) const {
+    Texture to;
+    to.image = from.source;
+    if (from.sampler >= 0) {
+      const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(from.sampler)];
+      to.repeats = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && sampler.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
+      to.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    }
+    return to;
+  }
+
+  static Mesh converted(const tinygltf::Mesh& from) {
+    Mesh to;
+    to.name = from.name;
+    for (const tinygltf::Primitive& primitive : from.primitives) {
+      to.primitives.push_back({static_cast<Mode>(primitive.mode), primitive.indices, primitive.material,
+                               primitive.attributes, !primitive.targets.empty()});
+    }
+    return to;
+  }
+
+  Camera converted(const tinygltf::Camera& from) const {
+    return {from.name, from.type == "perspective", from.perspective.yfov, from.perspective.aspectRatio};
+  }
+
+  static Light converted(const tinygltf::Light& from) {
+    Light to;
+    to.name = from.name;
+    to.type = from.type;
+    if (from.color.size() == 3) std::copy_n(from.color.begin(), 3, to.color.begin());
+    to.intensity = from.intensity;
+    to.has_range = from.range > 0;
+    to.inner_angle = from.spot.innerConeAngle;
+    to.outer_angle = from.spot.outerConeAngle;
+    return to;
+  }
+
+  static Node converted(const tinygltf::Node& from) {
+    Node to;
+    to.name = from.name;
+    to.children = from.children;
+    to.mesh = from.mesh;
+    to.camera = from.camera;
+    to.skin = from.skin;
+    if (from.matrix.size() == 16) std::copy_n(from.matrix.begin(), 16, to.matrix.emplace().begin());
+    if (from.translation.size() == 3) std::copy_n(from.translation.begin(), 3, to.translation.begin());
+    if (from.rotation.size() == 4) std::copy_n(from.rotation.begin(), 4, to.rotation.begin());
+    if (from.scale.size() == 3) std::copy_n(from.scale.begin(), 3, to.scale.begin());
+    if (const tinygltf::Value* light = extension(from.extensions, "KHR_lights_punctual")) {
+      to.light = light->Get("light").GetNumberAsInt();
+    }
+    if (const tinygltf::Value* instancing = extension(from.extensions, "EXT_mesh_gpu_instancing")) {
+      const tinygltf::Value& attributes = instancing->Get("attributes");
+      for (const std::string& name : attributes.Keys()) {
+        to.instancing[name] = attributes.Get(name).GetNumberAsInt();
+      }
+    }
+    return to;
+  }
+
+  void choose_scene() {
+    document_.scene_count = model_.scenes.size();
+    if (model_.scenes.empty()) throw Error(where_, "there is no scene in it");
+    document_.roots = model_.scenes[static_cast<std::size_t>(std::max(model_.defaultScene, 0))].nodes;
+  }
+
+  Location where_;
+  tinygltf::Model model_;
+  Document document_;
+};
+
+}  // namespace
+
+Document read_document(const std::string& path) { return Converter(path, load(path)).convert(); }
+
+}  // namespace bdpt_tool::gltf
