@@ -122,39 +122,9 @@ class RenderCommand {
     }
   }
 
-  bdpt_render_desc render_desc() const {
-    auto desc = sized<bdpt_render_desc>();
-    desc.max_edges = max_edges_;
-    desc.seed = options_.seed;
-    desc.first_pass = range_.first;
-    std::copy(techniques_.begin(), techniques_.end(), desc.techniques);
-    desc.heuristic = options_.heuristic;
-    desc.beta = options_.beta;
-    desc.cutoff = options_.cutoff;
-    desc.sampler = options_.sampler;
-    desc.plan = plan_name(options_);
-    desc.connections = options_.connections;
-    desc.light_samples = options_.light_samples;
-    desc.pool_passes = options_.pool_passes;
-    desc.pool_pixels = options_.pool_pixels;
-    desc.matrix = options_.matrix;
-    desc.order = options_.order;
-    desc.partners = options_.partners;
-    desc.shadow_roulette = options_.roulette;
-    desc.shadow_threshold = options_.roulette_threshold;
-    desc.adaptive = options_.adaptive ? BDPT_ADAPTIVE_TWO_STAGES : BDPT_ADAPTIVE_NONE;
-    desc.pool_selection = options_.pool_selection;
-    desc.correlation_aware = options_.correlation_aware;
-    desc.light_start = options_.light_start;
-    desc.light_selection = options_.light_selection;
-    desc.direct_samples = options_.direct_samples;
-    desc.direct_candidates = options_.direct_candidates;
-    return desc;
-  }
-
   void render() {
     const Stopwatch watch;
-    const bdpt_render_desc desc = render_desc();
+    const bdpt_render_desc desc = render_desc(options_, techniques_, range_.first, max_edges_);
     const Render render =
         make<Render>("the render", bdpt_render_create, scene_.get(), sensor_.get(), film_.get(), &desc);
     if (range_.end == 0 || range_.end > range_.first) advance(render.get());

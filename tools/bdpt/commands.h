@@ -16,6 +16,7 @@ namespace bdpt_tool {
 using Command = std::function<ExitCode()>;
 
 void add_render_command(CLI::App& app, Command& chosen);
+void add_bake_command(CLI::App& app, Command& chosen);
 void add_merge_command(CLI::App& app, Command& chosen);
 void add_resolve_command(CLI::App& app, Command& chosen);
 void add_compare_command(CLI::App& app, Command& chosen);

@@ -64,6 +64,17 @@ void write_exr(const std::string& path, const Image& image) {
   check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
 }
 
+void write_layers(const std::string& path, const std::vector<Image>& images, const std::vector<std::string>& names) {
+  std::vector<bdpt_image_layer> layers = {{nullptr, images[0].pixels.data()}};
+  for (std::size_t i = 0; i < images.size(); ++i) layers.push_back({names[i].c_str(), images[i].pixels.data()});
+  auto desc = sized<bdpt_exr_desc>();
+  desc.width = images[0].width;
+  desc.height = images[0].height;
+  desc.layers = layers.data();
+  desc.layer_count = static_cast<std::uint32_t>(layers.size());
+  check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
+}
+
 void write_png(const std::string& path, Image image, const ViewOptions& options) {
   auto desc = sized<bdpt_display_desc>();
   desc.view = options.view;

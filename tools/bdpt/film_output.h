@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "handles.h"
 #include "image.h"
@@ -25,6 +26,8 @@ Image read_technique(const bdpt_film* film, std::uint32_t s, std::uint32_t t, bo
 // The film's colour, and its variance, once there is one, as a layer of that name.
 void write_film_exr(const std::string& path, const bdpt_film* film, bool partial);
 void write_exr(const std::string& path, const Image& image);
+// Images of one size as layers; the first is the main one, too.
+void write_layers(const std::string& path, const std::vector<Image>& images, const std::vector<std::string>& names);
 
 // Through the display transform.
 void write_png(const std::string& path, Image image, const ViewOptions& options);

@@ -21,12 +21,14 @@ int report(const std::string& text, ExitCode code) {
 }
 
 int parse_and_run(int argc, char** argv) {
-  CLI::App app("Bidirectional path tracing: renders scenes, and works with the films it makes.", "bdpt");
+  CLI::App app("Bidirectional path tracing: renders scenes, bakes lightmaps, and works with the films it makes.",
+               "bdpt");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(kExitCodeHelp);
   Command chosen;
   add_render_command(app, chosen);
+  add_bake_command(app, chosen);
   add_merge_command(app, chosen);
   add_resolve_command(app, chosen);
   add_compare_command(app, chosen);

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "choice_option.h"
+#include "handles.h"
 #include "view_options.h"
 
 namespace bdpt_tool {
@@ -67,6 +68,29 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
   add_view_options(command, options.view);
   command.add_flag("--json", options.json, "Print one JSON object about the render on stdout");
 }
+
+void add_image_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("--width", options.width, "Width of the picture in pixels (default: the file's)")
+      ->check(CLI::Range(1, 65536));
+  command.add_option("--height", options.height, "Height of the picture in pixels (default: the file's)")
+      ->check(CLI::Range(1, 65536));
+  add_choice(command, "--filter", options.filter, kFilters,
+             "box, tent, gaussian, mitchell or blackman-harris (default: the file's)");
+  command.add_option("--filter-radius", options.filter_radius, "In pixels (default: the filter's own)")
+      ->check(CLI::Range(0.5, 8.0));
+  add_choice(command, "--normalization", options.normalization, kNormalizations,
+             "weights (default; less noise, slightly biased) or count (unbiased)");
+}
+
+std::uint64_t parse_pass(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec == std::errc() && result.ptr == end) return value;
+  throw Error(ExitCode::kUsage, "--passes: '" + std::string(text) + "' is no number; write A:B, such as 0:64");
+}
+
+}  // namespace
 
 void add_limit_options(CLI::App& command, RenderOptions& options) {
   command
@@ -142,29 +166,6 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
   add_choice(command, "--sampler", options.sampler, kSamplers, "sobol (default), independent or stratified");
 }
 
-void add_image_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--width", options.width, "Width of the picture in pixels (default: the file's)")
-      ->check(CLI::Range(1, 65536));
-  command.add_option("--height", options.height, "Height of the picture in pixels (default: the file's)")
-      ->check(CLI::Range(1, 65536));
-  add_choice(command, "--filter", options.filter, kFilters,
-             "box, tent, gaussian, mitchell or blackman-harris (default: the file's)");
-  command.add_option("--filter-radius", options.filter_radius, "In pixels (default: the filter's own)")
-      ->check(CLI::Range(0.5, 8.0));
-  add_choice(command, "--normalization", options.normalization, kNormalizations,
-             "weights (default; less noise, slightly biased) or count (unbiased)");
-}
-
-std::uint64_t parse_pass(std::string_view text) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec == std::errc() && result.ptr == end) return value;
-  throw Error(ExitCode::kUsage, "--passes: '" + std::string(text) + "' is no number; write A:B, such as 0:64");
-}
-
-}  // namespace
-
 void add_render_options(CLI::App& command, RenderOptions& options) {
   command.add_option("scene", options.scene, "A scene file: pbrt-v4, or glTF 2.0 (.gltf, .glb)")->required();
   add_output_options(command, options);
@@ -203,6 +204,37 @@ const char* plan_name(const RenderOptions& options) {
   for (std::uint32_t i = 1; bdpt_plan_name(i); ++i)
     if (options.integrator == bdpt_plan_name(i)) return bdpt_plan_name(i);
   return nullptr;
+}
+
+bdpt_render_desc render_desc(const RenderOptions& options, const TechniqueMask& techniques, std::uint64_t first_pass,
+                             std::uint32_t max_edges) {
+  auto desc = sized<bdpt_render_desc>();
+  desc.max_edges = max_edges;
+  desc.seed = options.seed;
+  desc.first_pass = first_pass;
+  std::copy(techniques.begin(), techniques.end(), desc.techniques);
+  desc.heuristic = options.heuristic;
+  desc.beta = options.beta;
+  desc.cutoff = options.cutoff;
+  desc.sampler = options.sampler;
+  desc.plan = plan_name(options);
+  desc.connections = options.connections;
+  desc.light_samples = options.light_samples;
+  desc.pool_passes = options.pool_passes;
+  desc.pool_pixels = options.pool_pixels;
+  desc.matrix = options.matrix;
+  desc.order = options.order;
+  desc.partners = options.partners;
+  desc.shadow_roulette = options.roulette;
+  desc.shadow_threshold = options.roulette_threshold;
+  desc.adaptive = options.adaptive ? BDPT_ADAPTIVE_TWO_STAGES : BDPT_ADAPTIVE_NONE;
+  desc.pool_selection = options.pool_selection;
+  desc.correlation_aware = options.correlation_aware;
+  desc.light_start = options.light_start;
+  desc.light_selection = options.light_selection;
+  desc.direct_samples = options.direct_samples;
+  desc.direct_candidates = options.direct_candidates;
+  return desc;
 }
 
 }  // namespace bdpt_tool

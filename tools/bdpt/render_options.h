@@ -49,6 +49,9 @@ struct RenderOptions {
 };
 
 void add_render_options(CLI::App& command, RenderOptions& options);
+// Those of them that say how long, and by which method.
+void add_limit_options(CLI::App& command, RenderOptions& options);
+void add_method_options(CLI::App& command, RenderOptions& options);
 
 // Which passes to sample: [first, end), end 0 = until another limit is reached.
 struct PassRange {
@@ -62,5 +65,8 @@ PassRange pass_range(const RenderOptions& options, std::optional<std::uint32_t> 
 TechniqueMask technique_mask(const RenderOptions& options);
 // The connection plan that --integrator names; the default where it names techniques.
 const char* plan_name(const RenderOptions& options);
+
+bdpt_render_desc render_desc(const RenderOptions& options, const TechniqueMask& techniques, std::uint64_t first_pass,
+                             std::uint32_t max_edges);
 
 }  // namespace bdpt_tool

@@ -58,7 +58,8 @@ struct InstanceDescription {
   int material = 0;
   std::array<float, 12> transform = {};
   Location where;
-  std::string label;  // by which it is named in errors and on the command line
+  std::string label;      // by which it is named in errors and on the command line
+  bdpt_instance_id id{};  // once the library has it
 };
 
 struct LightDescription {

@@ -45,7 +45,7 @@ class Uploader {
     for (ShapeDescription& shape : description_.shapes) shapes_.push_back(add(shape));
     for (TextureDescription& texture : description_.textures) textures_.push_back(add(texture));
     for (const MaterialDescription& material : description_.materials) materials_.push_back(add(material));
-    for (const InstanceDescription& instance : description_.instances) add(instance);
+    for (InstanceDescription& instance : description_.instances) add(instance);
     for (const LightDescription& light : description_.lights) add(light);
     auto desc = sized<bdpt_build_desc>();
     desc.cancel = cancel;
@@ -119,15 +119,14 @@ class Uploader {
     return id;
   }
 
-  void add(const InstanceDescription& instance) {
+  void add(InstanceDescription& instance) {
     const auto shape = static_cast<std::size_t>(instance.shape);
     auto desc = sized<bdpt_instance_desc>();
     desc.label = instance.label.c_str();
     desc.shape = shapes_[shape];
     desc.material = materials_[static_cast<std::size_t>(instance.material)];
     std::copy_n(instance.transform.data(), 12, desc.transform);
-    bdpt_instance_id id{};
-    check(bdpt_instance_add(builder_.get(), &desc, &id), instance.where);
+    check(bdpt_instance_add(builder_.get(), &desc, &instance.id), instance.where);
   }
 
   void add(const LightDescription& light) {

@@ -13,7 +13,8 @@ namespace bdpt_tool {
 // Reads a scene file: pbrt-v4 or glTF 2.0, as its name ends.
 SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics);
 
-// Builds the scene. The meshes move into the library, which borrows their memory. Returns no scene if cancelled.
+// Builds the scene. Instances are told their ids. The meshes move into the library, which borrows their memory. Returns
+// no scene if cancelled.
 Scene build_scene(bdpt_context* context, SceneDescription& description, bdpt_cancel* cancel = nullptr);
 
 // The camera as the library takes it, for an image of this size.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake_atlas.h"
+
+#include <algorithm>
+
+namespace bdpt_tool {
+namespace {
+
+// Parts of a node have its name, a slash, and a number.
+std::string node_of(const std::string& label) { return label.substr(0, label.rfind('/')); }
+
+bool has_coordinates(const ShapeDescription& shape, int uv_set) {
+  const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
+  return mesh && !(uv_set == 0 ? mesh->uv : mesh->uv_lightmap).empty();
+}
+
+std::string list_of(const std::vector<Atlas>& atlases) {
+  std::string text;
+  for (const Atlas& atlas : atlases) text += (text.empty() ? "'" : ", '") + atlas.name + "'";
+  return text;
+}
+
+}  // namespace
+
+std::vector<Atlas> atlases_of(const SceneDescription& description, int uv_set, const std::vector<std::string>& names) {
+  std::vector<Atlas> all;
+  for (std::size_t i = 0; i < description.instances.size(); ++i) {
+    const InstanceDescription& instance = description.instances[i];
+    if (!has_coordinates(description.shapes[static_cast<std::size_t>(instance.shape)], uv_set)) continue;
+    const std::string name = node_of(instance.label);
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Atlas& a) { return a.name == name; });
+    if (known == all.end()) {
+      all.push_back({name, {i}});
+    } else {
+      known->instances.push_back(i);
+    }
+  }
+  if (all.empty()) {
+    throw Error(Location{description.path, 0}, "no mesh has uv set " + std::to_string(uv_set) +
+                                                   ", in which a lightmap could be laid out; try --uv " +
+                                                   std::to_string(1 - uv_set));
+  }
+  if (names.empty()) return all;
+  std::vector<Atlas> chosen;
+  for (const std::string& name : names) {
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Atlas& a) { return a.name == name; });
+    if (known == all.end())
+      throw Error(ExitCode::kUsage, "--subset: '" + name + "' cannot be baked; there are " + list_of(all));
+    chosen.push_back(*known);
+  }
+  return chosen;
+}
+
+std::vector<bdpt_lightmap_instance> lightmap_instances(const SceneDescription& description,
+                                                       const std::vector<Atlas>& atlases, int uv_set) {
+  std::vector<bdpt_lightmap_instance> result;
+  for (std::size_t atlas = 0; atlas < atlases.size(); ++atlas)
+    for (const std::size_t i : atlases[atlas].instances) {
+      result.push_back(sized<bdpt_lightmap_instance>());
+      result.back().atlas = static_cast<std::uint32_t>(atlas);
+      result.back().instance = description.instances[i].id;
+      result.back().uv_set = uv_set == 0 ? 1 : 0;
+    }
+  return result;
+}
+
+}  // namespace bdpt_tool

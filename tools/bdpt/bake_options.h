@@ -1,0 +1,35 @@
+// The options of `bdpt bake`.
+//
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "render_options.h"
+
+namespace bdpt_tool {
+
+// A lightmap's output and the names of its planes in a file.
+struct BakeOutput {
+  bdpt_output_desc desc;
+  std::vector<std::string> layers;
+};
+
+struct BakeOptions {
+  RenderOptions render;  // what both commands have; the rest of it is not used
+  int uv_set = 1;
+  std::uint32_t resolution = 0;
+  double texels_per_unit = 0;
+  std::string outputs = "e";
+  std::string paths;  // "direct", "indirect" or both
+  std::vector<std::string> subset;
+  std::uint32_t gutter = 2;
+  bool geometric_normals = false;
+};
+
+void add_bake_options(CLI::App& command, BakeOptions& options);
+
+// From --outputs, --direct-only and --indirect-only. Throws an Error of kUsage.
+std::vector<BakeOutput> bake_outputs(const BakeOptions& options);
+
+}  // namespace bdpt_tool
