@@ -173,5 +173,33 @@ TEST(BakeLightmap, OutputsByEveryTechniqueAndPlan) {
   expect_all_same(means, names);
 }
 
+// The densities of directions are not those of a cosine here, and the weights must know: with direct light alone a
+// fault of theirs shows.
+TEST(BakeLightmap, HarmonicsOfALampByEveryTechnique) {
+  Builder b;
+  b.add(scenes::unwrapped(scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)), 1, 0),
+        scenes::diffuse(0.5f));
+  b.add(
+      scenes::quad(Vec3(-0.9f, 0.5f, -0.9f), Vec3(0.9f, 0.5f, -0.9f), Vec3(0.9f, 0.5f, 0.9f), Vec3(-0.9f, 0.5f, 0.9f)),
+      scenes::emitter(Rgb(1)));
+  const ScenePointer scene = b.build();
+  const SensorPointer sensor = lightmap(scene, 4, {placed(0)}, {OutputDesc{OutputKind::RadianceSh2}});
+  std::vector<BlockMeans> means;
+  std::vector<std::string> names;
+  std::vector<Way> all = ways(1);
+  std::erase_if(all, [](const Way& w) { return w.name == "s <= 1, t >= 1" || w.name == "combinatorial"; });
+  all.push_back({"not s = 0", options_for(mask_of([](int s, int) { return s > 0; }), 1)});
+  all.push_back({"not s = 1", options_for(mask_of([](int s, int) { return s != 1; }), 1)});
+  all.push_back({"balance", options_for({}, 1)});
+  all.back().options.heuristic = Heuristic::Balance;
+  for (Way& way : all) {
+    way.options.sampler = SamplerType::Sobol;
+    means.push_back(plane_means(scene, sensor, way.options, 512, 32, means.size()));
+    names.push_back(way.name);
+    EXPECT_LT(means.back().values[0].standard_error(), 0.002 * means.back().values[0].mean()) << way.name;
+  }
+  expect_all_same(means, names);
+}
+
 }  // namespace
 }  // namespace bdpt

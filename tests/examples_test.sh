@@ -14,5 +14,5 @@ cd "$folder"
 grep -q '100 %' progress.txt
 # A leaf alone measures 2 pi times its area; among others it gets less, and takes up part of that.
 "$examples/custom_measurement" > leaves.txt
-awk '/alone/ { d = $5 - $NF; exit !(d * d < 1e-5 * $NF * $NF) }' leaves.txt
+awk '/alone/ { d = $4 - $NF; exit !(d * d < 1e-5 * $NF * $NF) }' leaves.txt
 awk '/^ *[0-9]/ { ++n; if (!($2 > 0.3 && $2 < 0.754 && $3 > 0.7 * $2 && $3 < 0.82 * $2)) exit 1 } END { exit n != 12 }' leaves.txt
