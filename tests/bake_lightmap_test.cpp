@@ -130,6 +130,8 @@ TEST(BakeLightmap, HeuristicsCountsRoulettesAndLightSelections) {
   add("efficient roulette", "one-to-one", [](auto& o) { o.shadow_roulette = Roulette::Efficiency; });
   add("starts by importance", "one-to-one", [](auto& o) { o.light_start = StartBy::Importance; });
   add("aware of correlation", "combinatorial", [](auto& o) { o.correlation_aware = true; });
+  for (const char* plan : {"one-to-one", "two-way", "pooled", "matrix"})
+    add("t <= 1", plan, [](auto& o) { o.techniques = mask_of([](int, int t) { return t <= 1; }); });
   add("Sobol", "matrix", [](auto& o) { o.sampler = SamplerType::Sobol; });
   expect_agreement(scene, {all, lightmap(scene, 9), 9, 8});
 }

@@ -58,9 +58,58 @@ bool TexelMap::triangle(const LightmapInstance& placed, uint32_t primitive, UvTr
   return std::fabs(signed_double_area(uv[0], uv[1], uv[2])) > kLeastArea;
 }
 
+// Calls visit(placed, primitive, texel, area in the atlas, area in the world) for each part of a triangle.
+template <class Visit>
+void TexelMap::each_part(const PixelRect& subset, Visit&& visit) const {
+  for (uint32_t placed = 0; placed < instances_.size(); ++placed) {
+    const LightmapInstance& p = instances_[placed];
+    const TexelRect atlas = rows_of(size_, p.atlas);
+    const TexelRect kept{std::max<int64_t>(atlas.x0, subset.x0), std::max<int64_t>(atlas.y0, subset.y0),
+                         std::min<int64_t>(atlas.x1, subset.x1), std::min<int64_t>(atlas.y1, subset.y1)};
+    const size_t triangles = scene_.mesh(p.instance)->triangles.size();
+    for (uint32_t primitive = 0; primitive < triangles; ++primitive) {
+      UvTriangle uv;
+      if (!triangle(p, primitive, uv)) continue;
+      const double density = scene_.triangle_area(p.instance, primitive) / bdpt::area(uv);
+      rasterize(uv, kept, [&](int64_t x, int64_t y, const TexelPolygon& polygon) {
+        const double in_atlas = polygon.area();
+        visit(placed, primitive, texel(int(x), int(y)), in_atlas, in_atlas * density);
+      });
+    }
+  }
+}
+
+// Triangles of which something lies outside of the atlas, or all has no area there.
+void TexelMap::report_unmeasured() {
+  for (const LightmapInstance& placed : instances_) {
+    const TexelRect atlas = rows_of(size_, placed.atlas);
+    for (uint32_t primitive = 0; primitive < scene_.mesh(placed.instance)->triangles.size(); ++primitive) {
+      UvTriangle uv;
+      if (!triangle(placed, primitive, uv)) {
+        ++report_.unmapped;
+        continue;
+      }
+      const bool inside = std::all_of(uv.begin(), uv.end(), [&](const Vec2d& c) {
+        return c.x >= double(atlas.x0) && c.x <= double(atlas.x1) && c.y >= double(atlas.y0) && c.y <= double(atlas.y1);
+      });
+      if (inside) continue;
+      double part = 0;
+      rasterize(uv, atlas,
+                [&](int64_t, int64_t, const TexelPolygon& polygon) { part += polygon.area() / bdpt::area(uv); });
+      if (part > 1 - 1e-6) continue;  // rounding, at the border
+      ++report_.outside;
+      report_.area_outside += (1 - part) * scene_.triangle_area(placed.instance, primitive);
+    }
+  }
+}
+
 TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasSize& size,
                    const PixelRect& subset, const std::shared_ptr<MemoryMeter>& meter)
     : scene_(scene), instances_(instances), size_(size), by_instance_(scene.instance_count(), -1) {
+  for (uint32_t placed = 0; placed < instances_.size(); ++placed)
+    by_instance_[instances_[placed].instance] = int(placed);
+  report_unmeasured();
+
   const size_t texels = size_t(width()) * size_t(height());
   constexpr size_t kBytes = sizeof(uint64_t) + 4 * sizeof(uint32_t);
   booking_ = Booking(meter, texels * kBytes, "the lightmap's texels");
@@ -68,69 +117,27 @@ TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& inst
   areas_.assign(texels, 0);
   coverage_.assign(texels, 0);
   numbers_.assign(texels, -1);
-
-  // Calls visit(placed, primitive, x, y, area in the atlas, area in the world).
-  const auto each = [&](auto&& visit) {
-    for (uint32_t placed = 0; placed < instances_.size(); ++placed) {
-      const LightmapInstance& p = instances_[placed];
-      const TexelRect atlas = rows_of(size_, p.atlas);
-      const TexelRect kept{std::max<int64_t>(atlas.x0, subset.x0), std::max<int64_t>(atlas.y0, subset.y0),
-                           std::min<int64_t>(atlas.x1, subset.x1), std::min<int64_t>(atlas.y1, subset.y1)};
-      const size_t triangles = scene_.mesh(p.instance)->triangles.size();
-      for (uint32_t primitive = 0; primitive < triangles; ++primitive) {
-        UvTriangle uv;
-        if (!triangle(p, primitive, uv)) continue;
-        const double density = scene_.triangle_area(p.instance, primitive) / bdpt::area(uv);
-        rasterize(uv, kept, [&](int64_t x, int64_t y, const TexelPolygon& polygon) {
-          const double in_atlas = polygon.area();
-          visit(placed, primitive, int(x), int(y), in_atlas, in_atlas * density);
-        });
-      }
-    }
-  };
-
-  for (uint32_t placed = 0; placed < instances_.size(); ++placed) {
-    const LightmapInstance& p = instances_[placed];
-    by_instance_[p.instance] = int(placed);
-    const TexelRect atlas = rows_of(size_, p.atlas);
-    for (uint32_t primitive = 0; primitive < scene_.mesh(p.instance)->triangles.size(); ++primitive) {
-      UvTriangle uv;
-      if (!triangle(p, primitive, uv)) {
-        ++report_.unmapped;
-        continue;
-      }
-      double inside = 1;
-      for (const Vec2d& c : uv)
-        if (c.x < double(atlas.x0) || c.x > double(atlas.x1) || c.y < double(atlas.y0) || c.y > double(atlas.y1))
-          inside = 0;
-      if (inside == 1) continue;
-      rasterize(uv, atlas,
-                [&](int64_t, int64_t, const TexelPolygon& polygon) { inside += polygon.area() / bdpt::area(uv); });
-      if (inside > 1 - 1e-6) continue;  // rounding, at the border
-      ++report_.outside;
-      report_.area_outside += (1 - inside) * scene_.triangle_area(p.instance, primitive);
-    }
-  }
-  each([&](uint32_t, uint32_t, int x, int y, double, double) { ++first_[texel(x, y) + 1]; });
+  each_part(subset, [&](uint32_t, uint32_t, size_t i, double, double) { ++first_[i + 1]; });
   for (size_t i = 0; i < texels; ++i) first_[i + 1] += first_[i];
-  booking_ = Booking();
-  booking_ = Booking(meter, texels * kBytes + first_[texels] * sizeof(Fragment), "the lightmap's texels");
+  fragments_booking_ = Booking(meter, first_[texels] * sizeof(Fragment), "the lightmap's triangles");
   fragments_.resize(first_[texels]);
   std::vector<uint32_t> filled(texels, 0);
-  std::vector<double> sums(texels, 0), covered(texels, 0);
-  each([&](uint32_t placed, uint32_t primitive, int x, int y, double in_atlas, double in_world) {
-    const size_t i = texel(x, y);
-    sums[i] += in_world, covered[i] += in_atlas;
-    fragments_[first_[i] + filled[i]++] = {placed, primitive, sums[i]};
+  std::vector<double> covered(texels, 0);
+  each_part(subset, [&](uint32_t placed, uint32_t primitive, size_t i, double in_atlas, double in_world) {
+    const uint64_t place = first_[i] + filled[i]++;
+    fragments_[place] = {placed, primitive, in_world + (place == first_[i] ? 0 : fragments_[place - 1].until)};
+    covered[i] += in_atlas;
   });
   for (size_t i = 0; i < texels; ++i) {
-    areas_[i] = float(sums[i]);
+    if (first_[i] == first_[i + 1]) continue;
+    const Fragment& last = fragments_[first_[i + 1] - 1];
+    areas_[i] = float(last.until);
     coverage_[i] = float(covered[i]);
     if (!(areas_[i] > 0)) continue;
     numbers_[i] = int32_t(report_.texels++);
     covered_.push_back(uint32_t(i));
-    report_.area += sums[i];
-    report_.shared += fragments_[first_[i]].placed != fragments_[first_[i + 1] - 1].placed;
+    report_.area += last.until;
+    report_.shared += fragments_[first_[i]].placed != last.placed;
   }
 }
 

@@ -72,6 +72,9 @@ class TexelMap {
     double until;  // area of the texel's fragments up to this one
   };
   size_t texel(int x, int y) const { return size_t(y) * size_t(size_.width) + size_t(x); }
+  template <class Visit>
+  void each_part(const PixelRect& subset, Visit&& visit) const;
+  void report_unmeasured();
   // The triangle in texels of all atlases; false where it has no area.
   bool triangle(const LightmapInstance& placed, uint32_t primitive, UvTriangle& uv) const;
 
@@ -85,7 +88,7 @@ class TexelMap {
   std::vector<int32_t> numbers_;
   std::vector<uint32_t> covered_;  // texels by their numbers
   Report report_;
-  Booking booking_;
+  Booking booking_, fragments_booking_;
 };
 
 }  // namespace bdpt
