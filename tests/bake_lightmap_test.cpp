@@ -119,6 +119,10 @@ TEST(BakeLightmap, HeuristicsCountsRoulettesAndLightSelections) {
   add("balance", "one-to-one", [](auto& o) { o.heuristic = Heuristic::Balance; });
   add("cutoff", "matrix", [](auto& o) { o.heuristic = Heuristic::Cutoff, o.cutoff = 0.1f; });
   add("maximum", "two-way", [](auto& o) { o.heuristic = Heuristic::Maximum; });
+  add("cutoff, tree", "one-to-one",
+      [](auto& o) { o.heuristic = Heuristic::Cutoff, o.cutoff = 0.5f, o.light_selection = LightSelection::Tree; });
+  add("maximum, tree", "one-to-one",
+      [](auto& o) { o.heuristic = Heuristic::Maximum, o.light_selection = LightSelection::Tree; });
   add("cutoff, pooled", "pooled", [](auto& o) { o.heuristic = Heuristic::Cutoff, o.cutoff = 0.1f; });
   add("three light subpaths", "one-to-one", [](auto& o) { o.light_samples = 3; });
   add("three light subpaths, two-way", "two-way", [](auto& o) { o.light_samples = 3; });
