@@ -504,6 +504,14 @@ typedef int32_t bdpt_output_kind;
                                             with normal m is about SUM of these times Y_lm(m) */
 #define BDPT_OUTPUT_IRRADIANCE_SH2 5     /* 9 planes: and times pi / 4 for l = 2 */
 #define BDPT_OUTPUT_FLUENCE 6            /* 1 plane: INT L dw [W/m²] */
+/* What is seen, whatever light there is. V(w) = 1 if a ray along w meets nothing within reach, else 0. */
+#define BDPT_OUTPUT_OPENNESS 7           /* 1 plane: 1 / pi INT V max(0, w·n) dw, in [0,1]: ambient occlusion is one less
+                                            this */
+#define BDPT_OUTPUT_BENT_NORMAL 8        /* 1 plane: INT V w max(0, w·n) dw, x, y and z in place of colours; of any length */
+#define BDPT_OUTPUT_OPENNESS_SH1 9       /* 4 planes: INT V Y_lm(w) dw */
+#define BDPT_OUTPUT_OPENNESS_SH2 10      /* 9 planes */
+#define BDPT_OUTPUT_FRONTS 11            /* 1 plane: the part of all rays that do not meet the back of a one-sided surface:
+                                            near 0 inside of closed meshes */
 /* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
  * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
  * 0.546274 (x² - y²). */
@@ -517,7 +525,7 @@ typedef struct bdpt_output_desc {
   uint32_t struct_size;
   bdpt_output_kind kind;
   bdpt_light_paths paths;
-  uint32_t reserved;
+  float reach;     /* of openness: lengths beyond which nothing counts, >= 0; 0 = without end */
   uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
 } bdpt_output_desc;
 

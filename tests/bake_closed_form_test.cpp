@@ -170,5 +170,66 @@ TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
   }
 }
 
+// What a point on a floor sees under a roof, 1 x 0.8 at height 0.6: without light, and whatever takes part of it.
+TEST(BakeClosedForm, OpennessUnderARoof) {
+  Builder b;
+  Material roof = scenes::diffuse(0.5f);
+  roof.one_sided = true;
+  b.add(
+      scenes::quad(Vec3(-0.5f, 0.6f, -0.4f), Vec3(-0.5f, 0.6f, 0.4f), Vec3(0.5f, 0.6f, 0.4f), Vec3(0.5f, 0.6f, -0.4f)),
+      roof);  // its front looks up
+  b.environment(Rgb(1));
+  const ScenePointer scene = b.build();
+  const double factor = 4 * corner_form_factor(0.5, 0.4, 0.6);
+  OutputDesc near{OutputKind::Openness};
+  near.reach = 0.59f;
+  const std::vector<OutputDesc> outputs = {OutputDesc{OutputKind::Openness},   near,
+                                           OutputDesc{OutputKind::BentNormal}, OutputDesc{OutputKind::OpennessSh1},
+                                           OutputDesc{OutputKind::Irradiance}, OutputDesc{OutputKind::Fronts}};
+  const SensorPointer point = points({{Vec3(0), Vec3(0, 1, 0)}}, outputs);
+  // The solid angle of the roof, and the integrals of w cos and of Y_1 over it, by its midpoints.
+  double angle = 0, up = 0;
+  constexpr int n = 800;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = (i + 0.5) / n - 0.5, z = 0.8 * ((j + 0.5) / n - 0.5), d2 = x * x + z * z + 0.36;
+      const double dw = 0.8 / (double(n) * n) * 0.6 / (d2 * std::sqrt(d2)), y = 0.6 / std::sqrt(d2);
+      angle += dw, up += dw * y * y;
+    }
+  // Rays are cast for it where no technique needs them, and where there is no light.
+  const TransportOptions light_alone = way_of_direct("", [](int, int t) { return t <= 1; }).options,
+                         all = way_of_direct("", [](int, int) { return true; }).options;
+  Builder dark;
+  dark.add(
+      scenes::quad(Vec3(-0.5f, 0.6f, -0.4f), Vec3(-0.5f, 0.6f, 0.4f), Vec3(0.5f, 0.6f, 0.4f), Vec3(0.5f, 0.6f, -0.4f)),
+      roof);
+  expect_within(value_of(scene, point, light_alone, 0, 32, 1024), 1 - factor, 3e-3, "by light subpaths");
+  expect_within(value_of(dark.build(), point, all, 0, 32, 1024), 1 - factor, 3e-3, "in the dark");
+  for (const char* plan : {"one-to-one", "two-way"}) {
+    const TransportOptions options = with_plan(all, plan);
+    const auto expect = [&](int plane, double value) {
+      expect_within(value_of(scene, point, options, plane, 32, 2048), value, 3e-3,
+                    std::string(plan) + ", plane " + std::to_string(plane));
+    };
+    expect(0, 1 - factor);
+    expect(1, 1);
+    expect(3, 0.28209479 * (2 * M_PI - angle));
+    expect(4, 0.48860251 * (M_PI - M_PI * factor));  // y
+    expect(7, M_PI * (1 - factor));                  // the sky's light
+    Estimate bent[3], fronts;
+    for (int seed = 0; seed < 16; ++seed) {
+      const Picture p = render(scene, point, options, 2048, uint64_t(seed));
+      const std::vector<float> w = read(*p.film, FilmLayer::Color, 0, 0, 2);
+      for (size_t c = 0; c < 3; ++c) bent[c].add(double(w[c]));
+      fronts.add(double(read(*p.film, FilmLayer::Color, 0, 0, 8)[0]));
+    }
+    expect_value(bent[0], 0, 8, "bent normal, x", 1e-5);
+    expect_within(bent[1], 2 * M_PI / 3 - up, 3e-3, "bent normal, y");
+    expect_value(bent[2], 0, 8, "bent normal, z", 1e-5);
+    // Half of the rays by the cosine, half evenly.
+    expect_within(fronts, 1 - 0.5 * factor - 0.5 * angle / (2 * M_PI), 3e-3, "fronts");
+  }
+}
+
 }  // namespace
 }  // namespace bdpt

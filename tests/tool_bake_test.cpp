@@ -59,14 +59,14 @@ class ToolBake : public testing::Test {
 };
 
 TEST_F(ToolBake, AFileForEachNodeALayerForEachPlane) {
-  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "4", "--outputs", "e,sh1,e-over-pi-indirect", "--png",
-                     file("a.png")}))
+  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "4", "--outputs",
+                     "e,sh1,e-over-pi-indirect,openness,bent-normal,fronts", "--png", file("a.png")}))
       << error_;
   const auto floor = layers("a-floor.exr"), cellar = layers("a-cellar.exr");
-  for (const char* name :
-       {"", "irradiance", "radiance_sh_0", "radiance_sh_3", "irradiance_over_pi_indirect", "coverage"})
+  for (const char* name : {"", "irradiance", "radiance_sh_0", "radiance_sh_3", "irradiance_over_pi_indirect",
+                           "openness", "bent_normal", "fronts", "coverage"})
     ASSERT_TRUE(floor.contains(name)) << name;
-  EXPECT_EQ(8u, floor.size());
+  EXPECT_EQ(11u, floor.size());
   EXPECT_EQ(8u, floor.at("").width);
   EXPECT_EQ(floor.at("").pixels, floor.at("irradiance").pixels);
   for (const float c : floor.at("coverage").pixels) EXPECT_NEAR(1, c, 1e-6);

@@ -17,14 +17,15 @@ std::vector<OutputDesc> read_outputs(const bdpt_output_desc* outputs, uint32_t c
     const std::string name = "output " + std::to_string(i);
     const Subject subject(name.c_str(), nullptr);
     const bdpt_output_desc d = read_struct(element(outputs, i, stride), name.c_str());
-    subject.check_enum("kind", d.kind, BDPT_OUTPUT_FLUENCE);
+    subject.check_enum("kind", d.kind, BDPT_OUTPUT_FRONTS);
     subject.check_enum("paths", d.paths, BDPT_LIGHT_PATHS_INDIRECT);
-    subject.check_reserved("reserved", d.reserved);
+    subject.check_not_negative("reach", &d.reach, 1);
     OutputDesc output;
     output.kind = static_cast<OutputKind>(d.kind);
     output.direct = d.paths != BDPT_LIGHT_PATHS_INDIRECT;
     output.indirect = d.paths != BDPT_LIGHT_PATHS_DIRECT;
     if (d.groups != 0) output.groups = d.groups;
+    output.reach = d.reach;
     planes += Outputs::planes_of(output.kind);
     result.push_back(output);
   }

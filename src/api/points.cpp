@@ -49,11 +49,11 @@ bdpt_result bdpt_points_create(bdpt_context* context, const bdpt_points_desc* de
     const auto outputs =
         read_outputs(d.outputs, d.output_count, d.output_stride, held ? OutputKind::Irradiance : OutputKind::Fluence);
     for (const OutputDesc& o : outputs)
-      if (o.kind == OutputKind::Irradiance || o.kind == OutputKind::IrradianceOverPi)
+      if (fades(o.kind))
         for (size_t i = 0; i < points.size(); ++i)
           if (points[i].normal == Vec3(0))
-            subject.refuse("outputs", "ask for irradiance, and point ", i, " has no normal: give it one, or ask for ",
-                           "fluence or spherical harmonics");
+            subject.refuse("outputs", "ask for irradiance or openness, and point ", i,
+                           " has no normal: give it one, or ask for ", "fluence or spherical harmonics");
     auto object = std::make_unique<bdpt_sensor>();
     object->context = Ref<bdpt_context>(context);
     object->sensor = std::make_shared<const Points>(std::move(points), outputs, d.offset);

@@ -14,7 +14,7 @@ bool has_normals(const Scene& scene, const std::vector<LightmapInstance>& instan
 
 bool fades_at_horizon(const std::vector<OutputDesc>& outputs) {
   for (const OutputDesc& o : outputs)
-    if (o.kind != OutputKind::Irradiance && o.kind != OutputKind::IrradianceOverPi) return false;
+    if (!fades(o.kind)) return false;
   return true;
 }
 

@@ -19,20 +19,46 @@ int Outputs::planes_of(OutputKind kind) {
   switch (kind) {
     case OutputKind::RadianceSh1:
     case OutputKind::IrradianceSh1:
+    case OutputKind::OpennessSh1:
       return 4;
     case OutputKind::RadianceSh2:
     case OutputKind::IrradianceSh2:
+    case OutputKind::OpennessSh2:
       return 9;
     default:
       return 1;
   }
 }
 
+namespace {
+
+Seen seen_by(OutputKind kind) {
+  switch (kind) {
+    case OutputKind::Openness:
+    case OutputKind::OpennessSh1:
+    case OutputKind::OpennessSh2:
+      return Seen::Openness;
+    case OutputKind::BentNormal:
+      return Seen::Direction;
+    case OutputKind::Fronts:
+      return Seen::Fronts;
+    default:
+      return Seen::Light;
+  }
+}
+
+}  // namespace
+
 Outputs::Outputs(const std::vector<OutputDesc>& outputs) : descs_(outputs) {
   int first = 0;
   for (const OutputDesc& o : descs_) {
-    list_.push_back({first, planes_of(o.kind), o.direct, o.indirect, o.groups});
-    first += list_.back().count;
+    OutputPlanes planes{};
+    planes.first = first, planes.count = planes_of(o.kind);
+    planes.direct = o.direct, planes.indirect = o.indirect, planes.groups = o.groups;
+    planes.seen = seen_by(o.kind);
+    if (o.reach > 0) planes.reach = o.reach;
+    list_.push_back(planes);
+    first += planes.count;
   }
 }
 
@@ -50,17 +76,25 @@ void Outputs::evaluate(const Vec3& w, const Vec3& shading, float cosine, float* 
     const int planes = list_[i].count;
     switch (descs_[i].kind) {
       case OutputKind::Irradiance:
-      case OutputKind::IrradianceOverPi:
+      case OutputKind::BentNormal:
         out[0] = std::max(0.0f, dot(w, shading)) * per_cosine;
-        if (descs_[i].kind == OutputKind::IrradianceOverPi) out[0] *= kInvPi;
+        break;
+      case OutputKind::IrradianceOverPi:
+      case OutputKind::Openness:
+        out[0] = std::max(0.0f, dot(w, shading)) * per_cosine * kInvPi;
         break;
       case OutputKind::Fluence:
         out[0] = per_cosine;
         break;
+      case OutputKind::Fronts:
+        out[0] = 1;
+        break;
       case OutputKind::RadianceSh1:
       case OutputKind::RadianceSh2:
       case OutputKind::IrradianceSh1:
-      case OutputKind::IrradianceSh2: {
+      case OutputKind::IrradianceSh2:
+      case OutputKind::OpennessSh1:
+      case OutputKind::OpennessSh2: {
         real_sh(w, planes, out);
         const bool irradiance =
             descs_[i].kind == OutputKind::IrradianceSh1 || descs_[i].kind == OutputKind::IrradianceSh2;
@@ -75,6 +109,8 @@ void Outputs::evaluate(const Vec3& w, const Vec3& shading, float cosine, float* 
 uint64_t Outputs::hash() const {
   uint64_t h = hash_values(descs_.size());
   for (const OutputDesc& o : descs_) h = hash_combine(h, hash_values(int(o.kind), o.direct, o.indirect, o.groups));
+  for (const OutputDesc& o : descs_)
+    if (o.reach > 0) h = hash_bytes(&o.reach, sizeof(o.reach), h);
   return h;
 }
 

@@ -20,14 +20,26 @@ enum class OutputKind {
   RadianceSh2,       // l <= 2: 9 planes
   IrradianceSh1,     // the same times pi, 2 pi / 3, pi / 4 for l = 0, 1, 2: E(n) = SUM of these times Y_lm(n)
   IrradianceSh2,
-  Fluence,  // INT L dw
+  Fluence,      // INT L dw
+  Openness,     // 1 / pi INT V max(0, w n) dw: 1 in the open; V(w) = 1 where nothing is within reach
+  BentNormal,   // INT V w max(0, w n) dw
+  OpennessSh1,  // INT V Y_lm(w) dw
+  OpennessSh2,
+  Fronts,  // part of the rays that do not meet the back of a one-sided surface
 };
 
 struct OutputDesc {
   OutputKind kind = OutputKind::Irradiance;
   bool direct = true, indirect = true;
   uint64_t groups = ~0ull;
+  float reach = 0;  // 0 = without end
 };
+
+// Whether it is zero at the horizon of a surface.
+inline bool fades(OutputKind kind) {
+  return kind == OutputKind::Irradiance || kind == OutputKind::IrradianceOverPi || kind == OutputKind::Openness ||
+         kind == OutputKind::BentNormal;
+}
 
 // Y_lm in the order (0,0); (1,-1), (1,0), (1,1); (2,-2) ... (2,2): 0.282095; 0.488603 (y, z, x);
 // 1.092548 xy, 1.092548 yz, 0.315392 (3z^2 - 1), 1.092548 xz, 0.546274 (x^2 - y^2). l <= 2.

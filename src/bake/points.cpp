@@ -28,8 +28,7 @@ Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>&
   height_ = int((points_.size() + size_t(width_) - 1) / size_t(width_));
   responds_ = !is_base(points_, outputs_);
   bool cosines = true;
-  for (const OutputDesc& o : outputs)
-    cosines = cosines && (o.kind == OutputKind::Irradiance || o.kind == OutputKind::IrradianceOverPi);
+  for (const OutputDesc& o : outputs) cosines = cosines && fades(o.kind);
   if (cosines) hemisphere_ = HemisphereSampler(1);
   hash_ = hash_combine(outputs_.hash(), hash_values(points_.size()));
   hash_ = hash_bytes(&offset_, sizeof(offset_), hash_);

@@ -65,13 +65,25 @@ struct Landing {
   Vec3 direction;  // unit, of the light
 };
 
+// What an output is about: light; or what the first rays of eye subpaths see, whatever light there is.
+enum class Seen {
+  Light,
+  Openness,   // 1 where nothing is within reach
+  Direction,  // the same times the direction, its three coordinates in place of colours
+  Fronts,     // 1 but for backs that absorb all light; all rays count alike, whatever they measure
+};
+
 // A part of what a measurement is asked for: some planes of the film, and the light that counts for them.
 struct OutputPlanes {
+  Seen seen = Seen::Light;
+  float reach = 3e38f;                  // of openness, in lengths
   int first = 0, count = 1;             // planes
   bool direct = true, indirect = true;  // light that comes straight from where it is emitted; all else
   uint64_t groups = ~0ull;              // of lights, one bit each
-  bool is_all() const { return direct && indirect && groups == ~0ull; }
-  bool takes(uint32_t edges, uint32_t group) const { return (edges == 1 ? direct : indirect) && (groups >> group & 1); }
+  bool is_all() const { return seen == Seen::Light && direct && indirect && groups == ~0ull; }
+  bool takes(uint32_t edges, uint32_t group) const {
+    return seen == Seen::Light && (edges == 1 ? direct : indirect) && (groups >> group & 1);
+  }
 };
 
 // Pixels [x0, x1) x [y0, y1), in film coordinates.

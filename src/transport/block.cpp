@@ -126,6 +126,7 @@ void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
     index = eye_.last[sample] = uint32_t(eye_.vertices.size());
     eye_.vertices.push_back(sensor_vertex(sample));
   }
+  if (responses_.sees()) most = std::max(most, 2u);
   if (most < 2) return;
   Walker w{};
   w.eye = true;

@@ -190,6 +190,8 @@ class Block {
   void push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from);
   void arrive(const Walker& walker, const Ray& ray, const Hit& hit);
   void escape(const Walker& walker);
+  // What the first ray of an eye subpath sees, for outputs that are not about light.
+  void see(const Walker& walker, const Ray& ray, const Hit& hit);
   void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
   void land(const Walker& walker, const Hit& hit, const Vertex& y);
   // t = 0 at z_0, with the edge of the light subpath there and its density.

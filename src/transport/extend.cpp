@@ -27,6 +27,7 @@ void Block::extend() {
         const Walker& w = walkers_[i];
         ++(w.eye ? stats_.eye_rays : stats_.light_rays);
         if (!w.eye && engine_.hit_sensor) hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
+        if (w.eye && w.count == 1 && responses_.sees()) see(w, rays_[i], hits_[i]);
         if (hits_[i].instance == kMiss)
           escape(w);
         else
@@ -135,6 +136,17 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
     if (!is_black(radiance)) hit_light(w, v, x0, radiance);
   }
   if (v.count < w.most) continue_walk(w, v, index);
+}
+
+void Block::see(const Walker& w, const Ray& ray, const Hit& hit) {
+  const bool miss = hit.instance == kMiss;
+  Surface surface;
+  const bool back = !miss && engine_.scene.surface(ray, hit, surface) && surface.material->one_sided &&
+                    dot(surface.ng, w.direction) > 0;
+  responses_.see(w.sample, eye_.starts[w.sample], miss ? kInfinity : hit.t, back, w.throughput.r,
+                 [&](size_t plane, const Rgb& value) {
+                   eye_sums_[w.sample * responses_.planes() + plane] += value * eye_weights_[w.sample];
+                 });
 }
 
 void Block::escape(const Walker& w) {

@@ -15,10 +15,13 @@ class Responses {
         planes_(size_t(sensor.planes())),
         plain_(sensor.is_plain()),
         responds_(sensor.responds()),
-        response_(planes_, 1.0f) {}
+        response_(planes_, 1.0f) {
+    for (const OutputPlanes& o : sensor.outputs()) sees_ = sees_ || o.seen != Seen::Light;
+  }
 
   size_t planes() const { return planes_; }
   bool is_plain() const { return plain_; }  // one plane, and it is the base
+  bool sees() const { return sees_; }       // whether some output is not about light
   // For eye subpaths that are about to start.
   void reset(size_t samples) { starts_.assign(responds_ ? samples * planes_ : 0, kUnknown); }
 
@@ -26,13 +29,7 @@ class Responses {
   // direction.
   template <class Add>
   void each(uint32_t sample, const EyeStart& z0, uint32_t edges, uint32_t group, Add&& add) {
-    const float* response = response_.data();
-    if (responds_) {
-      float* known = starts_.data() + sample * planes_;
-      if (known[0] == kUnknown) sensor_.respond(z0, z0.direction, known);
-      response = known;
-    }
-    visit(response, edges, group, add);
+    visit(first_response(sample, z0), edges, group, add);
   }
   // The same for any direction w from z_0.
   template <class Add>
@@ -40,9 +37,29 @@ class Responses {
     if (responds_) sensor_.respond(z0, w, response_.data());
     visit(response_.data(), edges, group, add);
   }
+  // What an eye subpath's first ray sees: up to a distance, the back of something or not; weight: alpha_2. Calls
+  // add(plane, value).
+  template <class Add>
+  void see(uint32_t sample, const EyeStart& z0, float distance, bool back, float weight, Add&& add) {
+    const float* response = first_response(sample, z0);
+    for (const OutputPlanes& o : sensor_.outputs()) {
+      if (o.seen == Seen::Light || (o.seen == Seen::Fronts ? back : distance <= o.reach)) continue;
+      for (int plane = o.first; plane < o.first + o.count; ++plane) {
+        const float v = o.seen == Seen::Fronts ? 1 : weight * response[plane];
+        const Vec3& d = z0.direction;
+        add(size_t(plane), o.seen == Seen::Direction ? Rgb(d.x, d.y, d.z) * v : Rgb(v));
+      }
+    }
+  }
   size_t memory() const { return (starts_.capacity() + response_.capacity()) * sizeof(float); }
 
  private:
+  const float* first_response(uint32_t sample, const EyeStart& z0) {
+    if (!responds_) return response_.data();
+    float* known = starts_.data() + sample * planes_;
+    if (known[0] == kUnknown) sensor_.respond(z0, z0.direction, known);
+    return known;
+  }
   static constexpr float kUnknown = -3e38f;
   template <class Add>
   void visit(const float* response, uint32_t edges, uint32_t group, Add&& add) {
@@ -54,7 +71,7 @@ class Responses {
 
   const Sensor& sensor_;
   size_t planes_;
-  bool plain_, responds_;
+  bool plain_, responds_, sees_ = false;
   std::vector<float> response_;  // of the direction in hand
   std::vector<float> starts_;    // of the eye subpaths' first directions, once they were asked for
 };

@@ -22,12 +22,18 @@ constexpr Kind kKinds[] = {{"e", BDPT_OUTPUT_IRRADIANCE, "irradiance", 1},
                            {"sh1", BDPT_OUTPUT_RADIANCE_SH1, "radiance_sh", 4},
                            {"sh2", BDPT_OUTPUT_RADIANCE_SH2, "radiance_sh", 9},
                            {"sh1-e", BDPT_OUTPUT_IRRADIANCE_SH1, "irradiance_sh", 4},
-                           {"sh2-e", BDPT_OUTPUT_IRRADIANCE_SH2, "irradiance_sh", 9}};
+                           {"sh2-e", BDPT_OUTPUT_IRRADIANCE_SH2, "irradiance_sh", 9},
+                           {"openness", BDPT_OUTPUT_OPENNESS, "openness", 1},
+                           {"bent-normal", BDPT_OUTPUT_BENT_NORMAL, "bent_normal", 1},
+                           {"openness-sh1", BDPT_OUTPUT_OPENNESS_SH1, "openness_sh", 4},
+                           {"openness-sh2", BDPT_OUTPUT_OPENNESS_SH2, "openness_sh", 9},
+                           {"fronts", BDPT_OUTPUT_FRONTS, "fronts", 1}};
 
 constexpr const char* kOutputsHelp =
     "What to bake, separated by commas, each in layers of its own: e: irradiance (default); e-over-pi; sh1, sh2: "
-    "spherical harmonics of radiance; sh1-e, sh2-e: of irradiance. With -direct or -indirect behind, that part of the "
-    "light alone";
+    "spherical harmonics of radiance; sh1-e, sh2-e: of irradiance; openness (one less ambient occlusion), "
+    "openness-sh1, openness-sh2, bent-normal; fronts: the part of the rays that meet no back first. With -direct or "
+    "-indirect behind, that part of the light alone";
 
 bool take_ending(std::string& text, const std::string& ending) {
   if (!text.ends_with(ending)) return false;
