@@ -231,5 +231,54 @@ TEST(BakeClosedForm, OpennessUnderARoof) {
   }
 }
 
+// Two rooms, each 2 x 1 x 2 times a size, and a wall between them of twice `wall`. All walls of the left one emit
+// radiance 1; those of the right one, black, are mapped. slit: its width, from floor to ceiling; 0 = none.
+struct TwoRooms {
+  ScenePointer scene;
+  std::shared_ptr<const Lightmap> sensor;
+};
+TwoRooms two_rooms(float size, float wall, float slit) {
+  Builder b;
+  const Vec3 right(2 * size, size, size), left(-2 * size, 0, -size);
+  b.add(scenes::unwrapped(scenes::box(Vec3(wall, 0, -size), right, true, 63 - 1), 3, 0), scenes::diffuse(0.0f));
+  b.add(scenes::box(left, Vec3(-wall, size, size), true, 63 - 2), scenes::emitter(Rgb(1)));
+  b.add(scenes::box(Vec3(-wall, 0, -size), Vec3(wall, size, -slit / 2), false), scenes::diffuse(0.0f));
+  b.add(scenes::box(Vec3(-wall, 0, slit / 2), Vec3(wall, size, size), false), scenes::diffuse(0.0f));
+  const ScenePointer scene = b.build();
+  return {scene, lightmap(scene, 60)};
+}
+
+TEST(BakeClosedForm, NothingLeaksThroughAWall) {
+  const TwoRooms rooms = two_rooms(1, 0.05f, 0);
+  for (const Way& way : ways(4)) {
+    const Picture p = render(rooms.scene, rooms.sensor, way.options, 8, 1);
+    for (const float v : read(*p.film)) ASSERT_EQ(v, 0) << way.name;
+  }
+}
+
+TEST(BakeClosedForm, ASlitOfAMillimetreLetsThroughWhatItShould) {
+  const TwoRooms rooms = two_rooms(0.05f, 0.001f, 0.001f);
+  // The form factor of the slit's two ends, and the flux from one to the other; its sides are black.
+  const double x = 0.001 / 0.002, y = 0.05 / 0.002, u = std::sqrt(1 + x * x), v = std::sqrt(1 + y * y);
+  const double factor = 2 / (M_PI * x * y) *
+                        (0.5 * std::log(u * u * v * v / (1 + x * x + y * y)) + x * v * std::atan(x / v) +
+                         y * u * std::atan(y / u) - x * std::atan(x) - y * std::atan(y));
+  const double flux = M_PI * 0.001 * 0.05 * factor;
+  for (const char* plan : {"one-to-one", "matrix"}) {
+    Estimate e;
+    std::vector<double> sums(16);
+    in_parallel(sums.size(), [&](size_t seed) {
+      const std::vector<float> map =
+          read(*render(rooms.scene, rooms.sensor, with_plan(options_for({}, 1), plan), 128, uint64_t(seed)).film);
+      for (int j = 0; j < 60; ++j)
+        for (int i = 0; i < 60; ++i)
+          sums[seed] += double(rooms.sensor->texels().area(i, j)) * double(map[3 * size_t(j * 60 + i)]);
+    });
+    for (double sum : sums) e.add(sum);
+    expect_value(e, flux, 2, plan);
+    EXPECT_LT(e.standard_error(), 0.03 * flux) << plan;
+  }
+}
+
 }  // namespace
 }  // namespace bdpt
