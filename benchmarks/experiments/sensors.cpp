@@ -30,6 +30,7 @@ class FloorSensor final : public bdpt::Sensor {
     const bdpt::Vec2 disk = bdpt::sample_disk(lens[0], lens[1]);
     const float height = std::sqrt(std::max(1 - disk.x * disk.x - disk.y * disk.y, 1e-12f));
     s.direction = bdpt::unit(bdpt::Vec3(disk.x, height, disk.y));
+    s.cosine = s.direction.y;
     s.density_position = 1 / kArea;
     s.density_direction = bdpt::kInvPi;
     s.weight = 1;
