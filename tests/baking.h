@@ -19,7 +19,7 @@ inline LightmapInstance placed(uint32_t instance) {
 inline std::shared_ptr<const Lightmap> lightmap(const ScenePointer& scene, int side,
                                                 const std::vector<LightmapInstance>& instances = {placed(0)},
                                                 const std::vector<OutputDesc>& outputs = {OutputDesc{}}) {
-  return std::make_shared<const Lightmap>(scene, instances, AtlasSize{side, side, 1}, PixelRect{0, 0, side, side},
+  return std::make_shared<const Lightmap>(scene, instances, AtlasStack{side, side, 1}, PixelRect{0, 0, side, side},
                                           outputs, false, nullptr);
 }
 

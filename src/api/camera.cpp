@@ -4,6 +4,7 @@
 #include "api/desc.h"
 #include "api/handles.h"
 #include "api/placement.h"
+#include "api/read_rect.h"
 
 #include <algorithm>
 
@@ -19,18 +20,9 @@ void read_size(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc&
   subject.check_range("height", desc.height, 1, kMaxSide);
   camera.width = int(desc.width);
   camera.height = int(desc.height);
-  const uint32_t* c = desc.crop;
-  if (std::all_of(c, c + 4, [](uint32_t v) { return v == 0; })) {
-    camera.crop[2] = camera.width;
-    camera.crop[3] = camera.height;
-    return;
-  }
-  if (c[0] >= c[2] || c[1] >= c[3] || c[2] > desc.width || c[3] > desc.height)
-    subject.refuse("crop", "is (", c[0], ", ", c[1], ") to (", c[2], ", ", c[3],
-                   "): give a window of at least one pixel "
-                   "within ",
-                   desc.width, " x ", desc.height, ", or four zeros for all");
-  for (int i = 0; i < 4; ++i) camera.crop[i] = int(c[i]);
+  const PixelRect crop = read_rect(subject, "crop", desc.crop, camera.width, camera.height);
+  const int corners[4] = {crop.x0, crop.y0, crop.x1, crop.y1};
+  std::copy(corners, corners + 4, camera.crop);
 }
 
 void read_place(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc& camera) {

@@ -12,7 +12,6 @@ namespace {
 
 constexpr uint64_t kMaxMeasurements = uint64_t(1) << 32;
 
-Vec3 vec3(const float v[3]) { return {v[0], v[1], v[2]}; }
 void copy(const Vec3& from, float to[3]) { to[0] = from.x, to[1] = from.y, to[2] = from.z; }
 
 // The host's functions as the engine calls them. Instances are told by the builder's ids.
@@ -31,7 +30,7 @@ class HostMeasurement final : public Measurement {
       const bdpt_measurement_start& g = given[i];
       EyeStart& s = starts[i];
       s = EyeStart{};
-      s.p = vec3(g.position), s.normal = vec3(g.normal), s.direction = vec3(g.direction);
+      s.p = to_vec3(g.position), s.normal = to_vec3(g.normal), s.direction = to_vec3(g.direction);
       s.weight_position = g.weight;
       s.density_position = g.density_position, s.density_direction = g.density_direction;
       s.margin = g.offset;
@@ -56,7 +55,7 @@ class HostMeasurement final : public Measurement {
     check(desc_.land(desc_.user, 1, &l, &landed), "land");
     if (landed.measurement >= desc_.measurements) return false;
     measurement = landed.measurement;
-    z0.normal = vec3(landed.normal);
+    z0.normal = to_vec3(landed.normal);
     z0.importance = landed.weight;
     z0.density_position = landed.density_position;
     return true;

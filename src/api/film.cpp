@@ -41,7 +41,6 @@ FilmDesc read_film(const bdpt_film_desc& desc, const Sensor& sensor) {
   film.planes = sensor.planes();
   film.one_image = true;
   film.measured = sensor.count();
-  film.normalize_by_weights = false;
   return film;
 }
 

@@ -1,6 +1,7 @@
 #include "api/check.h"
 #include "api/desc.h"
 #include "api/handles.h"
+#include "api/read_rect.h"
 
 #include <algorithm>
 
@@ -10,16 +11,6 @@ namespace {
 
 constexpr uint64_t kPixelSize = 3 * sizeof(float);
 constexpr uint64_t kMaxRowStride = uint64_t(1) << 40;
-
-PixelRect read_rect(const Subject& subject, const uint32_t rect[4], const FilmDesc& film) {
-  if (std::all_of(rect, rect + 4, [](uint32_t v) { return v == 0; })) return {0, 0, film.width, film.height};
-  if (rect[0] >= rect[2] || rect[1] >= rect[3] || rect[2] > uint32_t(film.width) || rect[3] > uint32_t(film.height))
-    subject.refuse("rect", "is (", rect[0], ", ", rect[1], ") to (", rect[2], ", ", rect[3],
-                   "): give a rectangle of at "
-                   "least one pixel within ",
-                   film.width, " x ", film.height, ", or four zeros for all");
-  return {int(rect[0]), int(rect[1]), int(rect[2]), int(rect[3])};
-}
 
 // (s,t) must be a technique that the film keeps an image of.
 void check_layer(const Subject& subject, const bdpt_read_desc& desc, const FilmDesc& film) {
@@ -69,7 +60,7 @@ bdpt_result bdpt_film_read(const bdpt_film* film, const bdpt_read_desc* desc, fl
     check_layer(subject, d, f.desc());
     subject.check_flag("flip", d.flip);
     subject.check_flag("include_partial", d.include_partial);
-    const PixelRect rect = read_rect(subject, d.rect, f.desc());
+    const PixelRect rect = read_rect(subject, "rect", d.rect, f.desc().width, f.desc().height);
     const size_t row_stride = size_t(read_row_stride(subject, d, rect, capacity) / sizeof(float));
     // While a render is at work there is a pass in hand, but none that was interrupted.
     const bool partial = d.include_partial != 0 && !film->busy.is_set();

@@ -1,5 +1,6 @@
 #include "api/check.h"
 #include "api/desc.h"
+#include "api/host_array.h"
 #include "color/display.h"
 #include "io/exr.h"
 #include "io/png.h"
@@ -43,8 +44,7 @@ std::vector<ExrLayer> read_layers(const bdpt_exr_desc& desc) {
     fail(ErrorCode::InvalidArgument, "desc.layer_stride is ", stride, ": give sizeof(bdpt_image_layer), or 0");
   std::vector<ExrLayer> layers;
   for (uint32_t i = 0; i < desc.layer_count; ++i) {
-    const auto* bytes = reinterpret_cast<const std::byte*>(desc.layers) + size_t(i) * stride;
-    const auto& layer = *reinterpret_cast<const bdpt_image_layer*>(bytes);
+    const bdpt_image_layer& layer = element(desc.layers, i, stride);
     check_pixels(layer.pixels, ("desc.layers[" + std::to_string(i) + "].pixels").c_str());
     layers.push_back({text_or_empty(layer.name), layer.pixels});
   }

@@ -1,9 +1,11 @@
 #include "bake/lightmap.h"
 
 #include "api/handles.h"
+#include "api/host_array.h"
 #include "api/output_desc.h"
+#include "api/read_rect.h"
 
-#include <algorithm>
+#include <unordered_map>
 
 using namespace bdpt;
 
@@ -11,7 +13,7 @@ namespace {
 
 constexpr uint32_t kMaxSide = 65536;
 
-AtlasSize read_size(const Subject& subject, const bdpt_lightmap_desc& desc) {
+AtlasStack read_size(const Subject& subject, const bdpt_lightmap_desc& desc) {
   subject.check_range("width", desc.width, 1, kMaxSide);
   subject.check_range("height", desc.height, 1, kMaxSide);
   const uint32_t atlases = desc.atlas_count == 0 ? 1 : desc.atlas_count;
@@ -21,27 +23,21 @@ AtlasSize read_size(const Subject& subject, const bdpt_lightmap_desc& desc) {
   return {int(desc.width), int(desc.height), int(atlases)};
 }
 
-PixelRect read_rect(const Subject& subject, const uint32_t rect[4], const AtlasSize& size) {
-  const uint32_t width = uint32_t(size.width), height = uint32_t(size.height) * uint32_t(size.count);
-  if (std::all_of(rect, rect + 4, [](uint32_t v) { return v == 0; })) return {0, 0, int(width), int(height)};
-  if (rect[0] >= rect[2] || rect[1] >= rect[3] || rect[2] > width || rect[3] > height)
-    subject.refuse("rect", "is (", rect[0], ", ", rect[1], ") to (", rect[2], ", ", rect[3],
-                   "): give a rectangle of at least one texel within ", width, " x ", height,
-                   ", or four zeros for all");
-  return {int(rect[0]), int(rect[1]), int(rect[2]), int(rect[3])};
-}
+// Of the scene's instances, by the builder's ids.
+using InstanceIndices = std::unordered_map<uint64_t, uint32_t>;
 
 LightmapInstance read_instance(const bdpt_lightmap_instance& desc, uint32_t number, const Scene& scene,
-                               const AtlasSize& size) {
+                               const InstanceIndices& indices, const AtlasStack& size) {
   const std::string name = "instance " + std::to_string(number);
   const Subject subject(name.c_str(), nullptr);
-  const int index = desc.instance.id == 0 ? -1 : scene.find_instance(desc.instance.id);
-  if (index < 0)
+  const auto found = indices.find(desc.instance.id);
+  if (found == indices.end())
     fail(ErrorCode::InvalidId, name,
          " is none of the scene's: give an id that the builder had when it built the scene");
-  const std::string& label = scene.instance_label(uint32_t(index));
+  const uint32_t index = found->second;
+  const std::string& label = scene.instance_label(index);
   const std::string told = label.empty() ? name : name + ", \"" + label + '"';
-  const Mesh* mesh = scene.mesh(uint32_t(index));
+  const Mesh* mesh = scene.mesh(index);
   if (!mesh) fail(ErrorCode::InvalidArgument, told, " is a sphere, which has no texture coordinates: give meshes");
   subject.check_range("uv_set", desc.uv_set, 0, 1);
   subject.check_range("atlas", desc.atlas, 0, size.count - 1);
@@ -49,7 +45,7 @@ LightmapInstance read_instance(const bdpt_lightmap_instance& desc, uint32_t numb
   subject.check_finite("scale", desc.scale, 2);
   subject.check_finite("offset", desc.offset, 2);
   LightmapInstance instance;
-  instance.instance = uint32_t(index);
+  instance.instance = index;
   instance.atlas = int(desc.atlas);
   instance.uv_set = desc.uv_set == 0 ? 1 : 0;
   if (mesh->uv[instance.uv_set].empty())
@@ -62,18 +58,17 @@ LightmapInstance read_instance(const bdpt_lightmap_instance& desc, uint32_t numb
 }
 
 std::vector<LightmapInstance> read_instances(const Subject& subject, const bdpt_lightmap_desc& desc, const Scene& scene,
-                                             const AtlasSize& size) {
+                                             const AtlasStack& size) {
   if (desc.instance_count == 0) subject.refuse("instance_count", "is 0: name the instances to bake");
   require(desc.instances, "instances");
-  if (desc.instance_stride != 0 &&
-      (desc.instance_stride < kVersion1Size<bdpt_lightmap_instance> || desc.instance_stride % 8 != 0))
-    subject.refuse("instance_stride", "is ", desc.instance_stride, ": give a multiple of 8 from ",
-                   kVersion1Size<bdpt_lightmap_instance>, ", or 0 for packed structs");
+  check_stride(subject, "instance_stride", desc.instance_stride, kVersion1Size<bdpt_lightmap_instance>, 8);
+  InstanceIndices indices;
+  for (uint32_t i = 0; i < scene.instance_count(); ++i) indices.emplace(scene.instance_id(i), i);
   std::vector<LightmapInstance> instances;
   std::vector<int> number(scene.instance_count(), -1);
   for (uint32_t i = 0; i < desc.instance_count; ++i) {
-    const bdpt_lightmap_instance d = read_struct(element(desc.instances, i, desc.instance_stride), "instances");
-    instances.push_back(read_instance(d, i, scene, size));
+    const bdpt_lightmap_instance d = read_struct(&element(desc.instances, i, desc.instance_stride), "instances");
+    instances.push_back(read_instance(d, i, scene, indices, size));
     int& known = number[instances.back().instance];
     if (known >= 0)
       subject.refuse("instances", "has one instance twice, as ", known, " and ", i, ": give it one place in the atlas");
@@ -106,12 +101,12 @@ bdpt_result bdpt_lightmap_create(bdpt_scene* scene, const bdpt_lightmap_desc* de
     const bdpt_lightmap_desc d = read_struct(desc, "desc");
     require(sensor, "sensor");
     const Subject subject("lightmap", nullptr);
-    const AtlasSize size = read_size(subject, d);
-    const PixelRect rect = read_rect(subject, d.rect, size);
+    const AtlasStack size = read_size(subject, d);
+    const PixelRect rect = read_rect(subject, "rect", d.rect, size.width, size.height * size.count);
     subject.check_flag("geometric_normals", d.geometric_normals);
     subject.check_reserved("reserved", d.reserved);
     const auto instances = read_instances(subject, d, *scene->scene, size);
-    const auto outputs = read_outputs(d.outputs, d.output_count, d.output_stride, OutputKind::Irradiance);
+    const auto outputs = read_outputs(subject, d.outputs, d.output_count, d.output_stride, OutputKind::Irradiance);
     const auto lightmap = std::make_shared<const Lightmap>(scene->scene, instances, size, rect, outputs,
                                                            d.geometric_normals != 0, scene->context->meter);
     if (lightmap->count() == 0)

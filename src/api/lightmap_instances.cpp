@@ -2,6 +2,7 @@
 
 #include "api/check.h"
 #include "api/desc.h"
+#include "api/host_array.h"
 #include "api/host_view.h"
 #include "api/lightmap_buffers.h"
 #include "api/placement.h"
@@ -121,8 +122,7 @@ std::vector<UvMesh> read_uv_instances(const bdpt_uv_instance* instances, uint32_
   std::vector<UvMesh> meshes;
   meshes.reserve(count);
   for (uint32_t i = 0; i < count; ++i) {
-    const auto* bytes = reinterpret_cast<const std::byte*>(instances) + i * step;
-    const auto& instance = *reinterpret_cast<const bdpt_uv_instance*>(bytes);
+    const bdpt_uv_instance& instance = element(instances, i, step);
     const std::string name = "desc.instances[" + std::to_string(i) + ']', mesh_name = name + ".mesh";
     const bdpt_mesh_desc mesh_desc = read_struct(instance.mesh, mesh_name.c_str());
     const Subject place(name.c_str(), nullptr), mesh(mesh_name.c_str(), mesh_desc.label);

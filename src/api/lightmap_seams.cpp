@@ -1,5 +1,6 @@
 #include "api/check.h"
 #include "api/desc.h"
+#include "api/host_array.h"
 #include "api/lightmap_buffers.h"
 #include "api/lightmap_instances.h"
 #include "lightmap/seams.h"
@@ -15,10 +16,6 @@ namespace {
 constexpr double kDefaultTolerance = 1e-5, kDefaultAngle = 15, kDefaultLambda = 0.01, kMaxLambda = 1e6;
 constexpr uint32_t kDefaultIterations = 1000;
 
-const bdpt_lightmap_image& image_at(const bdpt_lightmap_seams_desc& desc, size_t stride, uint32_t i) {
-  return *reinterpret_cast<const bdpt_lightmap_image*>(reinterpret_cast<const std::byte*>(desc.images) + i * stride);
-}
-
 std::vector<bdpt_lightmap_image> read_images(const bdpt_lightmap_seams_desc& desc) {
   const Subject subject("desc", nullptr);
   check_channels(subject, desc.channels);
@@ -27,7 +24,7 @@ std::vector<bdpt_lightmap_image> read_images(const bdpt_lightmap_seams_desc& des
   const size_t stride = read_stride(subject, "image_stride", desc.image_stride, sizeof(bdpt_lightmap_image));
   std::vector<bdpt_lightmap_image> images;
   for (uint32_t i = 0; i < desc.image_count; ++i) {
-    const bdpt_lightmap_image& image = image_at(desc, stride, i);
+    const bdpt_lightmap_image& image = element(desc.images, i, stride);
     const std::string name = "desc.images[" + std::to_string(i) + ']';
     const Subject one(name.c_str(), nullptr);
     check_atlas_size(one, image.width, image.height);

@@ -1,6 +1,7 @@
 #include "bake/points.h"
 
 #include "api/handles.h"
+#include "api/host_array.h"
 #include "api/output_desc.h"
 #include "api/placement.h"
 
@@ -38,16 +39,14 @@ bdpt_result bdpt_points_create(bdpt_context* context, const bdpt_points_desc* de
     if (d.count == 0 || d.count >= kMaxPoints)
       subject.refuse("count", "is ", d.count, ": give 1 to ", kMaxPoints - 1, " points");
     require(d.points, "points");
-    if (d.point_stride != 0 && (d.point_stride < sizeof(bdpt_point) || d.point_stride % 4 != 0))
-      subject.refuse("point_stride", "is ", d.point_stride, ": give a multiple of 4 from ", sizeof(bdpt_point),
-                     ", or 0 for packed points");
+    check_stride(subject, "point_stride", d.point_stride, sizeof(bdpt_point), 4);
     subject.check_not_negative("offset", &d.offset, 1);
     std::vector<MeasuredPoint> points;
     points.reserve(d.count);
-    for (uint64_t i = 0; i < d.count; ++i) points.push_back(read_point(*element(d.points, i, d.point_stride), i));
+    for (uint64_t i = 0; i < d.count; ++i) points.push_back(read_point(element(d.points, i, d.point_stride), i));
     const bool held = points[0].normal != Vec3(0);
-    const auto outputs =
-        read_outputs(d.outputs, d.output_count, d.output_stride, held ? OutputKind::Irradiance : OutputKind::Fluence);
+    const auto outputs = read_outputs(subject, d.outputs, d.output_count, d.output_stride,
+                                      held ? OutputKind::Irradiance : OutputKind::Fluence);
     for (const OutputDesc& o : outputs)
       if (fades(o.kind))
         for (size_t i = 0; i < points.size(); ++i)

@@ -24,19 +24,12 @@ bool is_sound(const EyeStart& s) {
 }  // namespace
 
 Custom::Custom(std::shared_ptr<const Measurement> measurement, uint64_t count, int planes, uint64_t hash)
-    : measurement_(std::move(measurement)), count_(count) {
-  width_ = std::max(1, int(std::ceil(std::sqrt(double(count)))));
-  height_ = int((count + uint64_t(width_) - 1) / uint64_t(width_));
+    : measurement_(std::move(measurement)), rows_(count) {
   OutputPlanes all;
   all.count = planes;
   outputs_.push_back(all);
   hash_ = hash_values(hash, count, planes, measurement_->has_density(), measurement_->has_response(),
                       measurement_->has_landing());
-}
-
-int64_t Custom::number(int x, int y) const {
-  const int64_t i = int64_t(y) * width_ + x;
-  return i < int64_t(count_) ? i : -1;
 }
 
 EyeStart Custom::start_at(int x, int y, const float u[4]) const {
@@ -56,7 +49,7 @@ void Custom::start_many(size_t n, const SamplePlace* places, EyeStart* starts) c
   measurement_->start(uint32_t(n), measurements.data(), reinterpret_cast<const float(*)[4]>(numbers.data()), starts);
   for (size_t i = 0; i < n; ++i) {
     EyeStart& s = starts[i];
-    s.film = place_of(measurements[i]);
+    s.film = rows_.place(measurements[i]);
     s.shading = s.normal;
     s.cosine = cosine_of(s, s.direction);
     s.weight = s.weight_position / s.density_direction;
@@ -68,7 +61,7 @@ bool Custom::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction)
   direction.cosine = cosine_of(z0, w);
   if (!(direction.cosine > 0)) return false;
   direction.importance = 1;
-  direction.density = measurement_->density(measurement_of(z0.film), z0, w);
+  direction.density = measurement_->density(rows_.number(z0.film), z0, w);
   return true;
 }
 
@@ -78,14 +71,14 @@ bool Custom::land(const Landing& landing, SensorPoint& z0) const {
   if (!measurement_->land(landing, measurement, z0)) return false;
   const Vec3 w = -landing.direction;
   if (!(cosine_of(z0, w) > 0)) return false;
-  z0.film = place_of(measurement);
+  z0.film = rows_.place(measurement);
   z0.shading = z0.normal;
   z0.density_direction = measurement_->density(measurement, z0, w);
   return true;
 }
 
 void Custom::respond(const SensorPlace& place, const Vec3& w, float* response) const {
-  measurement_->respond(measurement_of(place.film), place, w, response);
+  measurement_->respond(rows_.number(place.film), place, w, response);
 }
 
 }  // namespace bdpt

@@ -1,9 +1,8 @@
 // Measurements of the host's own: its functions start eye subpaths and say what a direction measures.
 #pragma once
 
-#include "sensor/sensor.h"
+#include "bake/rows.h"
 
-#include <functional>
 #include <memory>
 
 namespace bdpt {
@@ -29,16 +28,15 @@ class Custom final : public Sensor {
   // hash: of all that the host's functions decide.
   Custom(std::shared_ptr<const Measurement> measurement, uint64_t count, int planes, uint64_t hash);
 
-  // Measurements stand in rows, in order; the last row may have room left.
-  int width() const override { return width_; }
-  int height() const override { return height_; }
+  int width() const override { return rows_.width; }
+  int height() const override { return rows_.height; }
   bool is_hittable() const override { return measurement_->has_landing() && measurement_->has_density(); }
   uint64_t hash() const override { return hash_; }
   bool is_local() const override { return true; }
   bool is_surface() const override { return is_hittable(); }
   bool can_look() const override { return measurement_->has_density(); }
-  int64_t number(int x, int y) const override;
-  uint64_t count() const override { return count_; }
+  int64_t number(int x, int y) const override { return rows_.number(x, y); }
+  uint64_t count() const override { return rows_.count; }
   const std::vector<OutputPlanes>& outputs() const override { return outputs_; }
   bool responds() const override { return measurement_->has_response(); }
 
@@ -49,16 +47,8 @@ class Custom final : public Sensor {
   void respond(const SensorPlace& place, const Vec3& w, float* response) const override;
 
  private:
-  uint64_t measurement_of(const FilmPosition& film) const {
-    return uint64_t(film.y) * uint64_t(width_) + uint64_t(film.x);
-  }
-  FilmPosition place_of(uint64_t measurement) const {
-    return {float(measurement % uint64_t(width_)) + 0.5f, float(measurement / uint64_t(width_)) + 0.5f};
-  }
-
   std::shared_ptr<const Measurement> measurement_;
-  uint64_t count_;
-  int width_, height_;
+  Rows rows_;
   std::vector<OutputPlanes> outputs_;
   uint64_t hash_;
 };

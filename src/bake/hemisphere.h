@@ -3,22 +3,38 @@
 #pragma once
 
 #include "sampling/warp.h"
+#include "sensor/sensor.h"
 
 namespace bdpt {
 
 class HemisphereSampler {
  public:
   explicit HemisphereSampler(float cosine_part) : q_(cosine_part) {}
-  // A unit direction in the frame of the normal.
-  Vec3 sample(float u0, float u1) const {
-    if (u0 < q_) return sample_cosine_hemisphere(u0 / q_, u1);
-    const float z = std::min((u0 - q_) / (1 - q_), 0x1.fffffep-1f), r = safe_sqrt(1 - z * z), phi = kTwoPi * u1;
-    return {r * std::cos(phi), r * std::sin(phi), z};
+  // The direction of an eye subpath whose place is known, its densities and its weight.
+  void start(const float u[2], EyeStart& z0) const {
+    const Vec3 local = sample(u[0], u[1]);
+    z0.direction = Frame(z0.normal).to_world(local);
+    z0.cosine = std::max(local.z, 1e-7f);
+    z0.density_direction = density(z0.cosine);
+    z0.weight = 1 / z0.density_direction;
+  }
+  // As Sensor::look(), for W_e^(1) = 1 on the normal's side.
+  bool look(const Vec3& normal, const Vec3& w, SensorDirection& direction) const {
+    direction.cosine = dot(normal, w);
+    if (!(direction.cosine > 0)) return false;
+    direction.importance = 1;
+    direction.density = density(direction.cosine);
+    return true;
   }
   // Per projected solid angle.
   float density(float cosine) const { return q_ * kInvPi + (q_ < 1 ? (1 - q_) / (kTwoPi * cosine) : 0.0f); }
 
  private:
+  // In the frame of the normal.
+  Vec3 sample(float u0, float u1) const {
+    if (u0 < q_) return sample_cosine_hemisphere(u0 / q_, u1);
+    return sample_cone(std::min((u0 - q_) / (1 - q_), 0x1.fffffep-1f), u1, 1);
+  }
   float q_;
 };
 

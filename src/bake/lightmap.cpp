@@ -12,25 +12,17 @@ bool has_normals(const Scene& scene, const std::vector<LightmapInstance>& instan
   return false;
 }
 
-bool fades_at_horizon(const std::vector<OutputDesc>& outputs) {
-  for (const OutputDesc& o : outputs)
-    if (!fades(o.kind)) return false;
-  return true;
-}
-
-FilmPosition center_of(int x, int y) { return {float(x) + 0.5f, float(y) + 0.5f}; }
-
 }  // namespace
 
 Lightmap::Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances,
-                   const AtlasSize& size, const PixelRect& subset, const std::vector<OutputDesc>& outputs,
+                   const AtlasStack& size, const PixelRect& subset, const std::vector<OutputDesc>& outputs,
                    bool geometric_normals, const std::shared_ptr<MemoryMeter>& meter)
     : scene_(std::move(scene)),
       texels_(*scene_, instances, size, subset, meter),
       outputs_(outputs),
       geometric_normals_(geometric_normals || !has_normals(*scene_, instances)),
       responds_(outputs_.respond(true, !geometric_normals_)),
-      hemisphere_(fades_at_horizon(outputs) && geometric_normals_ ? 1 : 0.5f) {
+      hemisphere_(all_fade(outputs) && geometric_normals_ ? 1 : 0.5f) {
   hash_ = hash_values(scene_->info().hash, size.width, size.height, size.count, subset.x0, subset.y0, subset.x1,
                       subset.y1, geometric_normals_);
   hash_ = hash_combine(hash_, outputs_.hash());
@@ -52,31 +44,24 @@ EyeStart Lightmap::start_at(int x, int y, const float u[4]) const {
   s.normal = surface.ng * side;
   s.shading = geometric_normals_ ? s.normal : surface.ns * side;
   s.margin = surface.margin;
-  const Vec3 local = hemisphere_.sample(u[2], u[3]);
-  s.direction = Frame(s.normal).to_world(local);
-  s.cosine = std::max(local.z, 1e-7f);
   s.density_position = 1 / texels_.area(x, y);
-  s.density_direction = hemisphere_.density(s.cosine);
-  s.weight = 1 / s.density_direction;
+  hemisphere_.start(u + 2, s);
   return s;
 }
 
 bool Lightmap::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const {
-  direction.cosine = dot(z0.normal, w);
-  if (!(direction.cosine > 0)) return false;
-  direction.importance = 1;
-  direction.density = hemisphere_.density(direction.cosine);
-  return true;
+  return hemisphere_.look(z0.normal, w, direction);
 }
 
 bool Lightmap::land(const Landing& landing, SensorPoint& z0) const {
   int x, y;
   const int index = texels_.placed_index(landing.instance);
   if (index < 0) return false;
-  const float side = texels_.placed(uint32_t(index)).flip ? -1.0f : 1.0f;
+  const LightmapInstance& placed = texels_.placed(uint32_t(index));
+  const float side = placed.flip ? -1.0f : 1.0f;
   z0.normal = landing.ng * side;
   const float cosine = -dot(z0.normal, landing.direction);
-  if (!(cosine > 0) || !texels_.find(landing.instance, landing.primitive, landing.u, landing.v, x, y)) return false;
+  if (!(cosine > 0) || !texels_.find(placed, landing.primitive, landing.u, landing.v, x, y)) return false;
   z0.shading = geometric_normals_ ? z0.normal : landing.ns * side;
   z0.film = center_of(x, y);
   z0.p = landing.p;

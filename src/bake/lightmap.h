@@ -6,18 +6,18 @@
 
 #include "bake/hemisphere.h"
 #include "bake/outputs.h"
+#include "bake/rows.h"
 #include "bake/texel_map.h"
 
 namespace bdpt {
 
 class Lightmap final : public Sensor {
  public:
-  Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances, const AtlasSize& size,
+  Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
            const PixelRect& subset, const std::vector<OutputDesc>& outputs, bool geometric_normals,
            const std::shared_ptr<MemoryMeter>& meter);
 
   const TexelMap& texels() const { return texels_; }
-  const Scene& scene() const { return *scene_; }
 
   int width() const override { return texels_.width(); }
   int height() const override { return texels_.height(); }

@@ -8,7 +8,7 @@
 #include "math/vec.h"
 #include "sensor/sensor.h"
 
-#include <string>
+#include <algorithm>
 #include <vector>
 
 namespace bdpt {
@@ -41,6 +41,10 @@ inline bool fades(OutputKind kind) {
          kind == OutputKind::BentNormal;
 }
 
+inline bool all_fade(const std::vector<OutputDesc>& outputs) {
+  return std::all_of(outputs.begin(), outputs.end(), [](const OutputDesc& o) { return fades(o.kind); });
+}
+
 // Y_lm in the order (0,0); (1,-1), (1,0), (1,1); (2,-2) ... (2,2): 0.282095; 0.488603 (y, z, x);
 // 1.092548 xy, 1.092548 yz, 0.315392 (3z^2 - 1), 1.092548 xz, 0.546274 (x^2 - y^2). l <= 2.
 void real_sh(const Vec3& w, int planes, float* y);
@@ -49,7 +53,6 @@ class Outputs {
  public:
   explicit Outputs(const std::vector<OutputDesc>& outputs);
   const std::vector<OutputPlanes>& list() const { return list_; }
-  int planes() const { return list_.back().first + list_.back().count; }
   static int planes_of(OutputKind kind);
   // Whether some plane is not the base. on_surface: of its sensor; normals may differ: shading normals are used.
   bool respond(bool on_surface, bool normals_differ) const;

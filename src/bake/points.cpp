@@ -20,16 +20,14 @@ bool is_base(const std::vector<MeasuredPoint>& points, const Outputs& outputs) {
 }  // namespace
 
 Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs, float offset)
-    : points_(std::move(points)), outputs_(outputs), offset_(offset), hemisphere_(0.5f) {
+    : points_(std::move(points)),
+      outputs_(outputs),
+      rows_(points_.size()),
+      responds_(!is_base(points_, outputs_)),
+      offset_(offset),
+      hemisphere_(all_fade(outputs) ? 1 : 0.5f) {
   if (offset_ == 0)
     for (const MeasuredPoint& p : points_) offset_ = std::max(offset_, margin_of(largest(p.p)));
-  // Square, so that neighbours in order are neighbours in blocks.
-  width_ = std::max(1, int(std::ceil(std::sqrt(double(points_.size())))));
-  height_ = int((points_.size() + size_t(width_) - 1) / size_t(width_));
-  responds_ = !is_base(points_, outputs_);
-  bool cosines = true;
-  for (const OutputDesc& o : outputs) cosines = cosines && fades(o.kind);
-  if (cosines) hemisphere_ = HemisphereSampler(1);
   hash_ = hash_combine(outputs_.hash(), hash_values(points_.size()));
   hash_ = hash_bytes(&offset_, sizeof(offset_), hash_);
   for (const MeasuredPoint& p : points_) {
@@ -38,15 +36,10 @@ Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>&
   }
 }
 
-int64_t Points::number(int x, int y) const {
-  const int64_t i = int64_t(y) * width_ + x;
-  return i < int64_t(points_.size()) ? i : -1;
-}
-
 EyeStart Points::start_at(int x, int y, const float u[4]) const {
   const MeasuredPoint& point = points_[size_t(number(x, y))];
   EyeStart s;
-  s.film = {float(x) + 0.5f, float(y) + 0.5f};
+  s.film = center_of(x, y);
   s.p = point.p;
   s.normal = s.shading = point.normal;
   s.density_position = 1;
@@ -54,6 +47,7 @@ EyeStart Points::start_at(int x, int y, const float u[4]) const {
     s.direction = sample_sphere(u[2], u[3]);
     s.cosine = 1;
     s.density_direction = kUniform;
+    s.weight = 1 / kUniform;
   } else {
     const Frame frame(point.normal);
     if (point.radius > 0) {
@@ -61,23 +55,15 @@ EyeStart Points::start_at(int x, int y, const float u[4]) const {
       s.p += frame.t * d.x + frame.b * d.y;
       s.density_position = 1 / (kPi * point.radius * point.radius);
     }
-    const Vec3 local = hemisphere_.sample(u[2], u[3]);
-    s.direction = frame.to_world(local);
     s.margin = offset_;
-    s.cosine = std::max(local.z, 1e-7f);
-    s.density_direction = hemisphere_.density(s.cosine);
+    hemisphere_.start(u + 2, s);
   }
-  s.weight = 1 / s.density_direction;
   return s;
 }
 
 bool Points::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const {
   direction = {1, kUniform, 1};
-  if (is_free(z0.normal)) return true;
-  direction.cosine = dot(z0.normal, w);
-  if (!(direction.cosine > 0)) return false;
-  direction.density = hemisphere_.density(direction.cosine);
-  return true;
+  return is_free(z0.normal) || hemisphere_.look(z0.normal, w, direction);
 }
 
 void Points::respond(const SensorPlace& place, const Vec3& w, float* response) const {

@@ -3,6 +3,7 @@
 
 #include "bake/hemisphere.h"
 #include "bake/outputs.h"
+#include "bake/rows.h"
 
 #include <vector>
 
@@ -20,13 +21,12 @@ class Points final : public Sensor {
   // the points' own coordinates.
   Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>& outputs, float offset = 0);
 
-  // Points stand in rows, in order; the last row may have room left.
-  int width() const override { return width_; }
-  int height() const override { return height_; }
+  int width() const override { return rows_.width; }
+  int height() const override { return rows_.height; }
   bool is_hittable() const override { return false; }
   uint64_t hash() const override { return hash_; }
   bool is_local() const override { return true; }
-  int64_t number(int x, int y) const override;
+  int64_t number(int x, int y) const override { return rows_.number(x, y); }
   uint64_t count() const override { return points_.size(); }
   const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
   bool responds() const override { return responds_; }
@@ -38,7 +38,7 @@ class Points final : public Sensor {
  private:
   std::vector<MeasuredPoint> points_;
   Outputs outputs_;
-  int width_, height_;
+  Rows rows_;
   bool responds_;
   float offset_;
   HemisphereSampler hemisphere_;

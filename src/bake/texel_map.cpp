@@ -9,7 +9,7 @@ namespace {
 // Of twice a texel's area: what is less is a line.
 constexpr double kLeastArea = 1e-12;
 
-TexelRect rows_of(const AtlasSize& size, int atlas) {
+TexelRect rows_of(const AtlasStack& size, int atlas) {
   return {0, int64_t(atlas) * size.height, size.width, int64_t(atlas + 1) * size.height};
 }
 
@@ -17,13 +17,6 @@ TexelRect rows_of(const AtlasSize& size, int atlas) {
 Vec2d barycentric(const UvTriangle& t, const Vec2d& p) {
   const double whole = signed_double_area(t[0], t[1], t[2]);
   return {signed_double_area(t[0], p, t[2]) / whole, signed_double_area(t[0], t[1], p) / whole};
-}
-
-TexelPolygon polygon_of(const UvTriangle& triangle, int64_t x, int64_t y) {
-  TexelPolygon whole;
-  whole.count = 3;
-  std::copy(triangle.begin(), triangle.end(), whole.corners);
-  return uv_raster::clip_to_band(uv_raster::clip_to_band(whole, 1, y), 0, x);
 }
 
 Vec2d sample_polygon(const TexelPolygon& polygon, double u0, float u1) {
@@ -103,7 +96,7 @@ void TexelMap::report_unmeasured() {
   }
 }
 
-TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasSize& size,
+TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
                    const PixelRect& subset, const std::shared_ptr<MemoryMeter>& meter)
     : scene_(scene), instances_(instances), size_(size), by_instance_(scene.instance_count(), -1) {
   for (uint32_t placed = 0; placed < instances_.size(); ++placed)
@@ -153,7 +146,7 @@ TexelMap::Point TexelMap::sample(int x, int y, double u0, float u1) const {
   u0 = std::clamp((u0 * whole - before) / part, 0.0, 0x1.fffffffffffffp-1);
   UvTriangle uv;
   triangle(instances_[f->placed], f->primitive, uv);
-  const TexelPolygon polygon = polygon_of(uv, x, y);
+  const TexelPolygon polygon = part_in_texel(uv, x, y);
   // A texel that is covered whole keeps its strata.
   const Vec2d p =
       polygon.count == 4 && polygon.area() == 1 ? Vec2d(x + u0, y + double(u1)) : sample_polygon(polygon, u0, u1);
@@ -162,14 +155,11 @@ TexelMap::Point TexelMap::sample(int x, int y, double u0, float u1) const {
   return {f->placed, f->primitive, float(u), float(v)};
 }
 
-bool TexelMap::find(uint32_t instance, uint32_t primitive, float u, float v, int& x, int& y) const {
-  const int placed = placed_index(instance);
-  if (placed < 0) return false;
-  const LightmapInstance& p = instances_[size_t(placed)];
+bool TexelMap::find(const LightmapInstance& placed, uint32_t primitive, float u, float v, int& x, int& y) const {
   UvTriangle uv;
-  if (!triangle(p, primitive, uv)) return false;
+  if (!triangle(placed, primitive, uv)) return false;
   const Vec2d point = uv[0] + (uv[1] - uv[0]) * double(u) + (uv[2] - uv[0]) * double(v);
-  const TexelRect atlas = rows_of(size_, p.atlas);
+  const TexelRect atlas = rows_of(size_, placed.atlas);
   const int64_t column = int64_t(std::floor(point.x)), row = int64_t(std::floor(point.y));
   if (column < atlas.x0 || column >= atlas.x1 || row < atlas.y0 || row >= atlas.y1) return false;
   x = int(column), y = int(row);

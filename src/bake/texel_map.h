@@ -22,7 +22,7 @@ struct LightmapInstance {
 };
 
 // Atlases of one size, one below the other.
-struct AtlasSize {
+struct AtlasStack {
   int width = 1, height = 1, count = 1;
 };
 
@@ -44,7 +44,7 @@ class TexelMap {
   };
 
   // subset: the texels to keep, in rows of all atlases.
-  TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasSize& size,
+  TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
            const PixelRect& subset, const std::shared_ptr<MemoryMeter>& meter);
 
   int width() const { return size_.width; }
@@ -63,8 +63,9 @@ class TexelMap {
   // A point of what texel (x, y) covers, uniform by area.
   Point sample(int x, int y, double u0, float u1) const;
   // The texel in which a point of the surface lies; false where none does.
-  bool find(uint32_t instance, uint32_t primitive, float u, float v, int& x, int& y) const;
-  int placed_index(uint32_t instance) const { return instance < by_instance_.size() ? by_instance_[instance] : -1; }
+  bool find(const LightmapInstance& placed, uint32_t primitive, float u, float v, int& x, int& y) const;
+  // Index of the LightmapInstance; -1 where an instance is not mapped.
+  int placed_index(uint32_t instance) const { return by_instance_[instance]; }
 
  private:
   struct Fragment {
@@ -80,7 +81,7 @@ class TexelMap {
 
   const Scene& scene_;
   std::vector<LightmapInstance> instances_;
-  AtlasSize size_;
+  AtlasStack size_;
   std::vector<int> by_instance_;
   std::vector<uint64_t> first_;  // fragment of each texel, and one more
   std::vector<Fragment> fragments_;

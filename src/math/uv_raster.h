@@ -38,6 +38,8 @@ struct TexelPolygon {
   Vec2d corners[kMaxCorners];
   int count = 0;
 
+  TexelPolygon() = default;
+  explicit TexelPolygon(const UvTriangle& triangle) : count(3) { std::copy(triangle.begin(), triangle.end(), corners); }
   double area() const {
     double twice = 0;
     for (int i = 2; i < count; ++i) twice += signed_double_area(corners[0], corners[i - 1], corners[i]);
@@ -101,13 +103,16 @@ inline Span span(const TexelPolygon& polygon, int axis, int64_t low, int64_t hig
 
 }  // namespace uv_raster
 
+// What a texel shares with a triangle.
+inline TexelPolygon part_in_texel(const UvTriangle& triangle, int64_t x, int64_t y) {
+  return uv_raster::clip_to_band(uv_raster::clip_to_band(TexelPolygon(triangle), 1, y), 0, x);
+}
+
 // Calls visit(x, y, polygon) for each texel of bounds that shares area with the triangle (in texels, finite), row by
 // row. A triangle without area shares none.
 template <class Visit>
 void rasterize(const UvTriangle& triangle, const TexelRect& bounds, Visit&& visit) {
-  TexelPolygon whole;
-  whole.count = 3;
-  std::copy(triangle.begin(), triangle.end(), whole.corners);
+  const TexelPolygon whole(triangle);
   const uv_raster::Span rows = uv_raster::span(whole, 1, bounds.y0, bounds.y1);
   for (int64_t y = rows.first; y < rows.last; ++y) {
     const TexelPolygon row = uv_raster::clip_to_band(whole, 1, y);

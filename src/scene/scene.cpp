@@ -270,12 +270,6 @@ bool Scene::triangle_surface(const Instance& instance, uint32_t primitive, float
   return true;
 }
 
-int Scene::find_instance(uint64_t id) const {
-  for (size_t i = 0; i < desc_.instances.size(); ++i)
-    if (desc_.instances[i].id == id) return int(i);
-  return -1;
-}
-
 double Scene::triangle_area(uint32_t instance, uint32_t primitive) const {
   const Instance& i = instances_[instance];
   const Triangle t = i.mesh->triangles[primitive];

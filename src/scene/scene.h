@@ -48,8 +48,6 @@ class Scene {
 
   // --- For sensors on surfaces ---
   size_t instance_count() const { return instances_.size(); }
-  // Index of the instance with the host's id; -1 if there is none.
-  int find_instance(uint64_t id) const;
   uint64_t instance_id(uint32_t instance) const { return desc_.instances[instance].id; }
   const std::string& instance_label(uint32_t instance) const { return desc_.instances[instance].label; }
   const Mesh* mesh(uint32_t instance) const { return instances_[instance].mesh; }  // nullptr for a sphere

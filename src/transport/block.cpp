@@ -66,7 +66,7 @@ void Block::choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect
     const PassInGroup in_group = engine_.in_group(p);
     for (int y = rect.y0; y < rect.y1; ++y)
       for (int x = rect.x0; x < rect.x1; ++x) {
-        if (engine_.local && engine_.sample_number(x, y) < 0) continue;
+        if (engine_.sample_number(x, y) < 0) continue;
         if (one_each) {
           pixel_samples_.push_back({p, x, y});
           continue;
@@ -288,7 +288,7 @@ void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint
   if (responses_.is_plain())
     add(0, 1);
   else
-    responses_.each(z0 ? *z0 : SensorPlace{}, w ? *w : Vec3(0), s + t - 1, group, add);
+    responses_.each(*z0, *w, s + t - 1, group, add);  // a camera's are plain
 }
 
 void Block::push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,
