@@ -624,7 +624,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const 
  * The functions are called from all threads that render, at the same time, each with n >= 1 at once. They must be pure:
  * their results depend on nothing but their arguments. They return 0; any other value stops the call, which returns
  * BDPT_ERROR_CALLBACK_FAILED, and the pass in hand is lost. What is not finite, a density that is not above 0, or a
- * direction that is not unit or points away from its normal, is counted in bdpt_render_stats.rejected and left out. */
+ * direction that is not unit or points away from its normal, is counted in bdpt_render_stats.rejected, or where it was
+ * found in the film in bdpt_film_info.rejected, and left out. */
 
 /* Where a measurement begins. */
 typedef struct bdpt_measurement_start {

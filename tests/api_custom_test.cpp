@@ -14,7 +14,15 @@ constexpr float kSide = 6, kTexels = 4;  // the floor, and how many texels it ha
 // The floor of the world by texels, as a lightmap has it.
 struct Floor {
   bdpt_instance_id floor;
-  enum class Fault { None, NanStart, NegativeDensity, NanResponse, Error } fault = Fault::None;
+  enum class Fault {
+    None,
+    NanStart,
+    NegativeDensity,
+    NanResponse,
+    Error,
+    NegativeAnswer,
+    NanLanding
+  } fault = Fault::None;
   uint64_t faulty = 5;  // measurement
   std::atomic<int> dropped{0};
 };
@@ -50,10 +58,12 @@ int32_t start(void* user, uint32_t n, const uint64_t* measurements, const float 
   return 0;
 }
 
-int32_t density(void*, uint32_t n, const bdpt_measurement_place* places, float* densities) {
+int32_t density(void* user, uint32_t n, const bdpt_measurement_place* places, float* densities) {
+  const Floor& floor = *static_cast<const Floor*>(user);
   for (uint32_t i = 0; i < n; ++i) {
     EXPECT_GT(places[i].direction[1], 0);
     densities[i] = 1 / kPi;
+    if (floor.fault == Floor::Fault::NegativeAnswer && places[i].measurement == floor.faulty) densities[i] = -1;
   }
   return 0;
 }
@@ -79,6 +89,8 @@ int32_t land(void* user, uint32_t n, const bdpt_measurement_landing* landings, b
     landed[i].measurement = texel_at(l.position[0], l.position[2]);
     landed[i].normal[1] = 1;
     landed[i].weight = landed[i].density_position = kTexels * kTexels / (kSide * kSide);
+    if (floor.fault == Floor::Fault::NanLanding && landed[i].measurement == floor.faulty)
+      landed[i].density_position = std::numeric_limits<float>::quiet_NaN();
   }
   return 0;
 }
@@ -159,6 +171,27 @@ TEST_F(ApiCustom, WhatIsNotFiniteIsCountedAndStaysWhereItIs) {
     bdpt_render_stats stats = make<bdpt_render_stats>();
     ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
     EXPECT_GE(stats.rejected + info_of(film.get()).rejected, 64u) << int(fault);
+    const std::vector<float> bad = pixels_of(film.get());
+    for (size_t i = 0; i < bad.size(); ++i) {
+      EXPECT_TRUE(std::isfinite(bad[i]));
+      if (i / 3 == floor_.faulty) continue;
+      EXPECT_EQ(good[i], bad[i]) << int(fault) << ", " << i / 3;
+    }
+  }
+}
+
+// Also where the densities are only asked for: in the weights of t = 1 and t = 0.
+TEST_F(ApiCustom, DensitiesThatAreNoneAreCountedAndStayWhereTheyAre) {
+  const std::vector<float> good = pixels_of(measure(create(desc()).get(), 64).get());
+  for (const Floor::Fault fault : {Floor::Fault::NegativeAnswer, Floor::Fault::NanLanding}) {
+    floor_.fault = fault;
+    const Sensor sensor = create(desc());
+    const Film film = make_film(sensor.get());
+    const Render render = make_render(world_.scene.get(), sensor.get(), film.get());
+    ASSERT_OK(advance(render.get(), 64));
+    bdpt_render_stats stats = make<bdpt_render_stats>();
+    ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
+    EXPECT_GT(stats.rejected, 0u) << int(fault);
     const std::vector<float> bad = pixels_of(film.get());
     for (size_t i = 0; i < bad.size(); ++i) {
       EXPECT_TRUE(std::isfinite(bad[i]));

@@ -11,14 +11,19 @@ namespace {
 
 float cosine_of(const SensorPlace& place, const Vec3& w) { return place.normal == Vec3(0) ? 1 : dot(place.normal, w); }
 
+// In place of a factor: what it makes is not finite, and is counted and left out.
+constexpr float kUnsound = std::numeric_limits<float>::quiet_NaN();
+
+bool is_density(float v) { return v > 0 && std::isfinite(v); }
+
 // What cannot be started from: it is left out, and counted.
 bool is_sound(const EyeStart& s) {
   const float numbers[] = {s.p.x,         s.p.y,         s.p.z,    s.direction.x,
                            s.direction.y, s.direction.z, s.weight, s.weight_position};
   for (float v : numbers)
     if (!std::isfinite(v)) return false;
-  return s.density_position > 0 && s.density_direction > 0 && std::isfinite(s.density_position) &&
-         std::isfinite(s.density_direction) && s.cosine > 0 && std::fabs(length_squared(s.direction) - 1) < 1e-3f;
+  return is_density(s.density_position) && is_density(s.density_direction) && s.cosine > 0 &&
+         std::fabs(length_squared(s.direction) - 1) < 1e-3f;
 }
 
 }  // namespace
@@ -53,7 +58,7 @@ void Custom::start_many(size_t n, const SamplePlace* places, EyeStart* starts) c
     s.shading = s.normal;
     s.cosine = cosine_of(s, s.direction);
     s.weight = s.weight_position / s.density_direction;
-    if (!is_sound(s)) s.weight = s.weight_position = std::numeric_limits<float>::quiet_NaN();
+    if (!is_sound(s)) s.weight = s.weight_position = kUnsound;
   }
 }
 
@@ -62,6 +67,7 @@ bool Custom::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction)
   if (!(direction.cosine > 0)) return false;
   direction.importance = 1;
   direction.density = measurement_->density(rows_.number(z0.film), z0, w);
+  if (!is_density(direction.density)) direction.importance = kUnsound;
   return true;
 }
 
@@ -74,6 +80,7 @@ bool Custom::land(const Landing& landing, SensorPoint& z0) const {
   z0.film = rows_.place(measurement);
   z0.shading = z0.normal;
   z0.density_direction = measurement_->density(measurement, z0, w);
+  if (!is_density(z0.density_position) || !is_density(z0.density_direction)) z0.importance = kUnsound;
   return true;
 }
 
