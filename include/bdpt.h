@@ -491,7 +491,7 @@ typedef struct bdpt_camera_desc {
 BDPT_API BDPT_CHECK bdpt_result bdpt_camera_create(bdpt_context *context, const bdpt_camera_desc *desc, bdpt_sensor **sensor);
 /* --- Sensors that are no cameras: what arrives at surfaces and points ---
  * A measurement is a texel or a point; it has one or more outputs, all sampled at once; an output is one or more planes
- * of the film, of three colours each. Every plan but mmlt and automatic measures them, t = 0 on surfaces included.
+ * of the film, of three colours each. Every plan but mmlt measures them, t = 0 on surfaces included.
  * Directions are world directions, away from the point measured; n is the normal of the side that receives. */
 
 typedef int32_t bdpt_output_kind;

@@ -46,7 +46,7 @@ inline std::vector<Way> ways(int max_edges) {
                           way("s <= 1, t >= 1", [](int s, int t) { return s <= 1 && t >= 1; }),
                           way("t = 0", [](int, int t) { return t == 0; }),
                           way("t = 1", [](int, int t) { return t == 1; }), way("all", [](int, int) { return true; })};
-  for (const char* plan : {"two-way", "pooled", "matrix", "combinatorial"})
+  for (const char* plan : {"two-way", "pooled", "matrix", "combinatorial", "automatic"})
     all.push_back({plan, with_plan(options_for({}, max_edges), plan)});
   return all;
 }

@@ -1,5 +1,5 @@
 // Strategies by tiles: whatever they are, the picture is the same; and a pilot chooses sensibly.
-#include "rendering.h"
+#include "baking.h"
 #include "transport/block.h"
 #include "transport/plan.h"
 #include "transport/strategy_pilot.h"
@@ -7,13 +7,13 @@
 namespace bdpt {
 namespace {
 
-using namespace rendering;
+using namespace baking;
 using scenes::Builder;
 
 constexpr int kWidth = 64, kHeight = 48;  // 4 x 3 tiles
 
-TransportOptions automatic(Heuristic heuristic = Heuristic::Power) {
-  TransportOptions o = options_for({}, 5);
+TransportOptions automatic(Heuristic heuristic = Heuristic::Power, int max_edges = 5) {
+  TransportOptions o = options_for({}, max_edges);
   o.plan = find_plan("automatic");
   o.heuristic = heuristic;
   o.pool_passes = 2;
@@ -33,15 +33,15 @@ StrategyMap mixed(const Engine& engine, int light_samples) {
   return map;
 }
 
-BlockMeans mixed_means(const ScenePointer& scene, const SensorPointer& camera, const TransportOptions& options, int n,
+BlockMeans mixed_means(const ScenePointer& scene, const SensorPointer& sensor, const TransportOptions& options, int n,
                        int seeds, uint64_t passes) {
   std::vector<std::shared_ptr<Film>> films(static_cast<size_t>(seeds));
   in_parallel(films.size(), [&](size_t i) {
     RenderDesc desc;
     desc.transport = options;
     desc.seed = 5000 + i;
-    films[i] = std::make_shared<Film>(film_desc(kWidth, kHeight), nullptr);
-    Render render(scene, camera, films[i], caller(), nullptr, desc);
+    films[i] = std::make_shared<Film>(film_for(*sensor), nullptr);
+    Render render(scene, sensor, films[i], caller(), nullptr, desc);
     render.set_strategies(mixed(render.engine(), n));
     AdvanceDesc advance;
     advance.passes = passes;
@@ -67,20 +67,43 @@ TEST_P(TransportAutomatic, StrategiesSideBySideGiveOnePicture) {
     expect_same(mixed_means(scene, camera, automatic(GetParam()), n, 32, 8), expected, 2, "n = " + std::to_string(n));
 }
 
+// The same of texels: light that lands in another tile than its own, and light that meets the texel's z_0.
+scenes::MeshData walls() { return scenes::unwrapped(scenes::box(Vec3(-1), Vec3(1), true), 3, 0.02f); }
+ScenePointer mapped_room() {
+  Builder b;
+  b.add(walls(), scenes::diffuse(Rgb(0.7f, 0.5f, 0.4f)));
+  b.add(
+      scenes::quad(Vec3(-0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, 0.1f), Vec3(-0.4f, 0.9f, 0.1f)),
+      scenes::emitter(Rgb(4, 3.5f, 3)));
+  b.add(scenes::ball(Vec3(0.4f, -0.5f, 0.3f), 0.4f, 4, true), scenes::conductor(0.5f, 0.5f));
+  return b.build();
+}
+constexpr int kMap = 64;  // texels a side: 4 x 4 tiles
+
+TEST_P(TransportAutomatic, StrategiesSideBySideGiveOneLightmap) {
+  const ScenePointer scene = mapped_room();
+  const SensorPointer sensor = lightmap(scene, kMap);
+  TransportOptions reference = options_for({}, 4);
+  reference.heuristic = GetParam();
+  const BlockMeans expected = block_means(scene, sensor, reference, {.seeds = 24, .passes = 4, .first_seed = 7});
+  for (int n : {1, 2})
+    expect_same(mixed_means(scene, sensor, automatic(GetParam(), 4), n, 24, 4), expected, 2,
+                "n = " + std::to_string(n));
+}
+
 INSTANTIATE_TEST_SUITE_P(Heuristics, TransportAutomatic, ::testing::Values(Heuristic::Power, Heuristic::Maximum));
 
 // The running sums of splats know two kinds of strategy; the plain loop knows none. Each contribution must be the same.
-TEST(TransportAutomaticWeights, RunningSumsAreThoseOfThePlainLoop) {
-  const ScenePointer scene = scenes::room({.contents = scenes::Contents::Glossy}).build();
-  const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kWidth, kHeight);
-  Film film(film_desc(kWidth, kHeight), nullptr);
-  Engine sums(*scene, *camera, film, automatic(), 3), plain(*scene, *camera, film, automatic(), 3);
+void expect_plain_weights(const ScenePointer& scene, const SensorPointer& sensor) {
+  Film film(film_for(*sensor), nullptr);
+  Engine sums(*scene, *sensor, film, automatic(), 3), plain(*scene, *sensor, film, automatic(), 3);
   sums.choose(mixed(sums, 2)), plain.choose(mixed(plain, 2));
   plain.running_sums = false;
   Block a(sums), b(plain);
   std::map<std::pair<bool, bool>, int> seen;  // splat, joins inner
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) {
+  const Tiles& tiles = sums.map->tiles;
+  for (int row = 0; row < tiles.rows(); ++row)
+    for (int column = 0; column < tiles.columns(); ++column) {
       const PixelRect r = sums.map->tiles.pixels(column, row);
       const PixelRect rect{r.x0, r.y0, r.x1, r.y1};
       const std::vector<Contribution> x = a.sample_pilot(2, rect, nullptr), y = b.sample_pilot(2, rect, nullptr);
@@ -96,10 +119,18 @@ TEST(TransportAutomaticWeights, RunningSumsAreThoseOfThePlainLoop) {
   EXPECT_EQ(seen.size(), 4u);
   for (const auto& [kind, count] : seen) EXPECT_GT(count, 1000);
 }
+TEST(TransportAutomaticWeights, RunningSumsAreThoseOfThePlainLoop) {
+  expect_plain_weights(scenes::room({.contents = scenes::Contents::Glossy}).build(),
+                       scenes::camera(scenes::room_view_through_lens(), kWidth, kHeight));
+}
+TEST(TransportAutomaticWeights, RunningSumsAreThoseOfThePlainLoopForTexels) {
+  const ScenePointer scene = mapped_room();
+  expect_plain_weights(scene, lightmap(scene, kMap));
+}
 
-StrategyMap choice_for(const ScenePointer& scene, const SensorPointer& camera) {
-  Film film(film_desc(kWidth, kHeight), nullptr);
-  const Engine engine(*scene, *camera, film, automatic(), 1);
+StrategyMap choice_for(const ScenePointer& scene, const SensorPointer& sensor) {
+  Film film(film_for(*sensor), nullptr);
+  const Engine engine(*scene, *sensor, film, automatic(), 1);
   StrategyPilot pilot(engine);
   for (uint32_t i = 0; i < pilot.tasks(); ++i) pilot.run(i);
   return pilot.choose();
@@ -131,6 +162,34 @@ TEST(TransportAutomaticChoice, ALampTurnedToTheCeilingIsForLightSubpaths) {
       choice_for(b.build(), scenes::camera({Vec3(0, 1, 1.9f), Vec3(0, 0.6f, 0), 70}, kWidth, kHeight));
   EXPECT_GT(map.light_samples, 0);
   EXPECT_LT(tiles_of(map, "path"), map.choices.size() / 2);
+}
+
+// A lightmap of a floor with room round its charts, whose tiles hold few texels or none.
+ScenePointer floor_under(const scenes::MeshData& lamp, const std::function<void(Builder&)>& more = {}) {
+  Builder b;
+  b.add(scenes::unwrapped(scenes::quad(Vec3(-1, -1, 1), Vec3(1, -1, 1), Vec3(1, -1, -1), Vec3(-1, -1, -1)), 1, 0.3f),
+        scenes::diffuse(0.6f));
+  b.add(scenes::box(Vec3(-1), Vec3(1), true, 63 - 4), scenes::diffuse(0.6f));
+  b.add(lamp, scenes::emitter(Rgb(10)));
+  if (more) more(b);
+  return b.build();
+}
+scenes::MeshData lamp(float half) {
+  return scenes::quad(Vec3(-half, 0.99f, -half), Vec3(half, 0.99f, -half), Vec3(half, 0.99f, half),
+                      Vec3(-half, 0.99f, half));
+}
+
+TEST(TransportAutomaticChoice, ATexelUnderAWideLampIsForPathTracing) {
+  const ScenePointer scene = floor_under(lamp(0.5f));
+  const StrategyMap map = choice_for(scene, lightmap(scene, kMap));
+  EXPECT_EQ(map.light_samples, 0);
+}
+
+TEST(TransportAutomaticChoice, ATexelInACausticIsForLightSubpaths) {
+  const ScenePointer scene =
+      floor_under(lamp(0.1f), [](Builder& b) { b.add_sphere(Vec3(0, -0.3f, 0), 0.4f, scenes::dielectric(1.5f)); });
+  const StrategyMap map = choice_for(scene, lightmap(scene, kMap));
+  EXPECT_GT(map.light_samples, 0);
 }
 
 // Light of a point by way of a mirror: neither path tracing nor two-way finds it.

@@ -48,7 +48,7 @@ void check_whole_pools(const Engine& engine, const char* field, uint64_t passes)
 
 void check_local(const Sensor& sensor, const TransportOptions& options) {
   if (!sensor.is_local()) return;
-  if (options.plan && (options.plan->chains || options.plan->chooses))
+  if (options.plan && options.plan->chains)
     fail(ErrorCode::InvalidArgument, "plan: '", options.plan->name,
          "' measures pixels of cameras alone: choose another for this sensor");
   if (options.adaptive != Adaptive::None)

@@ -27,7 +27,9 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
     const float edge = geometry / strategy_->counts.connections;
-    weight = h.weight(at_z.next * edge / y.density * h.combine(y.technique, at_y.previous * y.sums),
+    const bool outer = engine_.uses_outer(*strategy_);  // then z is a sensor's
+    const float technique = outer && y.count > 2 ? 0 : y.technique, sums = outer ? y.outer : y.sums;
+    weight = h.weight(at_z.next * edge / y.density * h.combine(technique, at_y.previous * sums),
                       at_y.next * edge / z.density * h.combine(z.technique, at_z.previous * z.sums));
   } else if (!engine_.unweighted) {
     const Edge e{at_y.next * geometry, at_z.previous * z.geometry, at_z.next * geometry, at_y.previous * y.geometry};

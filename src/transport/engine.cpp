@@ -65,14 +65,14 @@ bool Engine::set_counts(double light_vertices) {
 Strategy Engine::make_strategy(const Plan& p, const TransportOptions& counts, double light_vertices) const {
   Strategy result;
   result.plan = &p;
-  result.techniques = options.techniques;
-  for (int s = 0; s < 32; ++s)
-    for (int t = 0; t < 32; ++t)
-      if (!p.serves(s, t)) result.techniques.rows[size_t(s)] &= ~(1u << t);
   result.counts = p.counts(counts, light_vertices);
   result.counts.direct = float(options.direct_samples);
   result.counts.local = local;
   result.counts.pass = result.counts.light * float(samples_per_pass());
+  result.techniques = options.techniques;
+  for (int s = 0; s < 32; ++s)
+    for (int t = 0; t < 32; ++t)
+      if (!p.serves(s, t) || !(result.counts.of(s, t) > 0)) result.techniques.rows[size_t(s)] &= ~(1u << t);
   TechniqueClasses::from_mask(result.techniques, result.counts, result.classes);
   return result;
 }

@@ -92,10 +92,10 @@ TechniqueShares balance_shares(const PathTechniques& path, int s, const Techniqu
     const int t = path.count - i;
     const double v = p[size_t(i)];
     all += v;
-    if (t == 0 || (t == 1 && !path.counts.local))
-      light += v;
-    else if (i <= 1)
+    if (i <= 1 && t >= (path.counts.local ? 1 : 2))
       eye += v;
+    else if (t <= 1)
+      light += v;
   }
   return {float(eye / all), float(light / all), float(p[size_t(s)] / all)};
 }

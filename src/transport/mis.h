@@ -101,7 +101,7 @@ inline double reference_weight(const PathTechniques& path, int s, const Transpor
 
 // What the balance heuristic gives to the techniques of a path, by kinds; the rest is that of inner connections.
 struct TechniqueShares {
-  float eye = 0, light = 0;  // s <= 1 and t >= 2; t <= 1
+  float eye = 0, light = 0;  // s <= 1 and t >= 2, of a local sensor t >= 1; all else with t <= 1
   float own = 0;             // the weight of the technique that the path came by
 };
 // s: the technique that the path came by.

@@ -50,6 +50,7 @@ std::vector<TileTerms> terms_of(const Tiles& tiles, const std::vector<TileMeasur
           for (size_t a = 0; a < kCandidates.size(); ++a)
             sum.error[a] += own[i].error[a], sum.cost[a] += own[i].cost[a];
         }
+      if (pixels == 0) continue;
       const double part = measures[size_t(row) * size_t(tiles.columns()) + size_t(column)].pixels / pixels;
       for (size_t a = 0; a < kCandidates.size(); ++a) sum.error[a] *= part, sum.cost[a] *= part;
     }
@@ -105,7 +106,7 @@ const Plan& plan_of(Join join) {
 bool StrategyPilot::covers_all(Join join) const {
   if (join == Join::OneToOne || join == Join::Matrix) return true;
   const auto takes = [&](uint32_t s) {
-    for (uint32_t t = 2; t < 32; ++t)
+    for (uint32_t t = s == 1 && engine_.local ? 1 : 2; t < 32; ++t)
       if (!engine_.allows(s, t)) return false;
     return true;
   };

@@ -35,6 +35,9 @@ double part(const Candidate& a, const TechniqueShares& shares) {
   return double(shares.eye) + n * (double(shares.light) + std::max(0.0, inner));
 }
 
+// Whether a strategy joins a sample's own light subpaths to its vertex z_{t-1}: z_0 is a local sensor's.
+bool joins(Join join, uint32_t t) { return t == 1 ? join != Join::Path : join >= Join::OneToOne; }
+
 // The contributions of a sample with one strategy.
 struct SampleSums {
   double ends = 0, own = 0, matrix = 0;                          // sums: s <= 1; inner, by either join
@@ -67,9 +70,12 @@ TransportStats StrategyPilot::run(uint32_t row) {
 void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& light) {
   const PixelRect r = tiles_.pixels(column, row);
   TileMeasure& tile = measures_[size_t(row) * size_t(tiles_.columns()) + size_t(column)];
-  tile.pixels = double(r.count());
-  const PixelRect square = square_within(r, kSide, hash_values(engine_.seed, 9, row, column));
-  const size_t pixels = size_t(square.count()), samples = pixels * passes_;
+  tile.pixels = double(engine_.measured(r));
+  if (tile.pixels == 0) return;
+  PixelRect square = square_within(r, kSide, hash_values(engine_.seed, 9, row, column));
+  for (uint32_t i = 1; engine_.measured(square) == 0; ++i)  // where something is measured
+    square = square_within(r, kSide, hash_values(engine_.seed, 9, row, column, i));
+  const size_t pixels = size_t(engine_.measured(square)), samples = pixels * passes_;
 
   std::vector<std::array<SampleSums, kCandidates.size()>> sums(samples);
   const auto add = [&](const Contribution& c, double SampleSums::*sum, double SampleSums::*squares, double moment) {
@@ -78,7 +84,7 @@ void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& ligh
       const double share = part(kCandidates[a], c.shares);
       SampleSums& s = sums[c.sample][a];
       s.moment += moment * v * v / share;
-      if (c.s >= 2 && kCandidates[a].join < Join::OneToOne) continue;
+      if (c.s >= 2 && !joins(kCandidates[a].join, c.t)) continue;
       s.*sum += v / share;
       s.*squares += v * v / (share * share);
     }
@@ -88,15 +94,21 @@ void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& ligh
   const TransportStats before = block.stats();
   const auto shadow_rays = [&] {
     double direct = 0;
-    for (uint32_t t = 2; t < 32; ++t) direct += double(block.techniques().at(1, t).shadow_rays);
+    for (uint32_t t = 1; t < 32; ++t)
+      if (engine_.belongs_to_eye(t)) direct += double(block.techniques().at(1, t).shadow_rays);
     return direct;
+  };
+  const auto start_rays = [&] {
+    double rays = 0;
+    for (uint32_t s = 2; s < 32 && engine_.local; ++s) rays += double(block.techniques().at(s, 1).shadow_rays);
+    return rays;
   };
   const double direct_before = shadow_rays();
   for (const Contribution& c : block.sample_pilot_ends(passes_, square)) {
     // Lights seen directly are the same to all, and so bright that a tile's mean says nothing of them.
-    if (c.s + c.t == 2) continue;
+    if (c.s + c.t == 2 && !engine_.local) continue;
     const double v = double(norm(c.value));
-    if (c.t >= 2) {
+    if (engine_.belongs_to_eye(c.t)) {
       tile.mean += v / double(samples);
       add(c, &SampleSums::ends, &SampleSums::ends_squares, 1);
       continue;
@@ -113,12 +125,14 @@ void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& ligh
   light.subpaths += double(samples);
   const double path = double(ends.eye_rays - before.eye_rays) + kEnd * direct;
 
-  // Inner connections, one half of their moment from either join.
+  // Inner connections and those to a local sensor's z_0, one half of their moment from either join.
+  const double start_rays_before = start_rays();
   for (const Contribution& c : block.join_pilot(*find_plan("one-to-one"))) {
     tile.mean += 0.5 * double(norm(c.value)) / double(samples);
     add(c, &SampleSums::own, &SampleSums::own_squares, 0.5);
   }
   const TransportStats own = block.stats();
+  const double starts_cost = kEnd * (start_rays() - start_rays_before);
   for (const Contribution& c : block.join_pilot(*find_plan("matrix"))) {
     tile.mean += 0.5 * double(norm(c.value)) / double(samples);
     add(c, &SampleSums::matrix, &SampleSums::matrix_squares, 0.5);
@@ -150,7 +164,7 @@ void StrategyPilot::run_tile(Block& block, int column, int row, LightImage& ligh
     tile.variance[a] = second / double(samples) - mean_squares / double(pixels);
     tile.cost[a] = (path + (candidate.join == Join::OneToOne ? n * own_cost
                             : candidate.join == Join::Matrix ? n * matrix_cost
-                                                             : 0)) /
+                                                             : n * starts_cost)) /
                    double(samples);
   }
 }
@@ -163,6 +177,7 @@ std::vector<TileMeasure> StrategyPilot::measures(double& light_cost) const {
   light_cost /= subpaths;
   for (size_t i = 0; i < measures.size(); ++i) {
     TileMeasure& tile = measures[i];
+    if (tile.pixels == 0) continue;
     // The light subpaths of a pass for one of the pilot's.
     const double scale = double(engine_.samples_per_pass()) / subpaths / tile.pixels;
     for (const LightImage& light : light_) {

@@ -7,11 +7,12 @@ namespace bdpt {
 
 namespace {
 
-bool serves_eye(int s, int t) { return s < 2 && t >= 2; }
+bool serves_eye(int s, int t) { return s < 2 && t >= 1; }
 SampleCounts counts(const TransportOptions& options, double) {
   const float n = float(options.light_samples);
   return {.light = n, .connections = n};
 }
+SampleCounts no_light(const TransportOptions&, double) { return {.light = 0, .connections = 0}; }
 // Not reached: each tile's strategy has a plan of its own that joins.
 void connect_nothing(Block&) {}
 
@@ -21,7 +22,7 @@ extern const Plan kPath;
 const Plan kPath = {.name = "path",
                     .summary = "path tracing, as a strategy",
                     .serves = serves_eye,
-                    .counts = counts,
+                    .counts = no_light,
                     .connect = connect_nothing};
 
 extern const Plan kAutomatic;
