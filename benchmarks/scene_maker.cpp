@@ -59,6 +59,11 @@ void SceneMaker::quad(const Point& a, const Point& b, const Point& c, const Poin
   add(std::move(mesh), material, {0, 0, 0});
 }
 
+void SceneMaker::mapped_quad(const Point& a, const Point& b, const Point& c, const Point& d, int material) {
+  quad(a, b, c, d, material);
+  std::get<bdpt_tool::TriangleMesh>(scene_.shapes.back().geometry).uv_lightmap = {0, 0, 1, 0, 1, 1, 0, 1};
+}
+
 void SceneMaker::box(const Point& low, const Point& high, int material, bool inward) {
   bdpt_tool::TriangleMesh mesh;
   for (int i = 0; i < 8; ++i)

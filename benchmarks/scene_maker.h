@@ -27,6 +27,8 @@ class SceneMaker {
 
   // The front is the side from which a, b, c, d turn counter-clockwise.
   void quad(const Point& a, const Point& b, const Point& c, const Point& d, int material);
+  // The same with a lightmap all of whose texels lie on it.
+  void mapped_quad(const Point& a, const Point& b, const Point& c, const Point& d, int material);
   // Closed, its fronts outward or inward.
   void box(const Point& low, const Point& high, int material, bool inward = false);
   // A box turned about the vertical through its middle.

@@ -20,6 +20,10 @@ class ImageVariance {
   double relative_to(const ImageVariance& reference) const;
   // The mean of the whole image.
   double image_mean() const;
+  std::size_t pixels() const { return mean_.size(); }
+  double mean(std::size_t pixel) const { return mean_[pixel]; }
+  // The variance of that mean.
+  double mean_variance(std::size_t pixel) const { return squares_[pixel] / (double(images_) - 1) / double(images_); }
 
  private:
   std::size_t images_ = 0;

@@ -118,6 +118,14 @@ Estimate mean_ratio(const Checkpoint& a, const Checkpoint& b) {
   return {x.value / y.value, x.value / y.value * std::hypot(x.error / x.value, y.error / y.value)};
 }
 
+double apart(const Checkpoint& a, const Checkpoint& b, double standard_errors) {
+  const bdpt_benchmark::ImageVariance x = reference_of(a.images), y = reference_of(b.images);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < x.pixels(); ++i)
+    count += std::fabs(x.mean(i) - y.mean(i)) > standard_errors * std::sqrt(x.mean_variance(i) + y.mean_variance(i));
+  return double(count) / double(x.pixels());
+}
+
 double seconds(const Checkpoint& checkpoint) { return seconds(checkpoint, checkpoint.seconds.size()); }
 
 Estimate efficiency_ratio(const Checkpoint& a, const Checkpoint& b) {

@@ -50,6 +50,8 @@ Estimate relative_variance(const Checkpoint& checkpoint);
 Estimate mean(const Checkpoint& checkpoint);
 Estimate mean_ratio(const Checkpoint& a, const Checkpoint& b);
 double seconds(const Checkpoint& checkpoint);
+// The part of the pixels whose means over the turns differ by more than so many standard errors of the difference.
+double apart(const Checkpoint& a, const Checkpoint& b, double standard_errors);
 
 // 1 / (relative variance x seconds) of a over that of b.
 Estimate efficiency_ratio(const Checkpoint& a, const Checkpoint& b);

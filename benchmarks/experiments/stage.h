@@ -34,4 +34,8 @@ bdpt_tool::SceneDescription bitterli_scene(const Setting& setting, const std::st
 Stage build_stage(bdpt_tool::SceneDescription description, std::uint32_t width, const Setting& setting,
                   float exposure = 0);
 
+// The same, measured by a lightmap of so many texels a side, of all meshes that have coordinates for one.
+Stage build_lightmap(bdpt_tool::SceneDescription description, std::uint32_t side, const Setting& setting,
+                     float exposure = 0);
+
 }  // namespace bdpt_experiments

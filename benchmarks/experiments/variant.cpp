@@ -10,6 +10,7 @@
 namespace bdpt_experiments {
 Variant bidirectional() { return {.name = "BDPT"}; }
 Variant path_tracing() { return {.name = "path tracing", .techniques = "s<=1&t>=2"}; }
+Variant eye_only() { return {.name = "eye-only", .techniques = "s<=1&t>=1"}; }
 Variant light_tracing() { return {.name = "light tracing", .techniques = "t<=1"}; }
 Variant of_plan(const std::string& plan) { return {.name = plan, .plan = plan}; }
 

@@ -33,6 +33,8 @@ struct Variant {
 Variant bidirectional();
 Variant path_tracing();
 Variant light_tracing();
+// Of a lightmap: path tracing from the texel, with direct lighting at it.
+Variant eye_only();
 Variant of_plan(const std::string& plan);
 // The same with independent random points, as most papers have them, instead of Sobol's.
 Variant independent(Variant variant);

@@ -38,5 +38,6 @@ void own_plans(Report& report);
 void own_adaptive(Report& report);
 void own_light_start(Report& report);
 void own_pool(Report& report);
+void own_bake(Report& report);
 
 }  // namespace bdpt_experiments

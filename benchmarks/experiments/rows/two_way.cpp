@@ -4,7 +4,6 @@
 #include "film_output.h"
 #include "rows/rows.h"
 #include "scenes/scenes.h"
-#include "sensors.h"
 #include "tables.h"
 
 namespace bdpt_experiments {
@@ -56,8 +55,8 @@ void two_way_meshes(Report& report) {
 void two_way_lightmap(Report& report) {
   const Setting& setting = report.setting();
   constexpr std::uint32_t kEdges = 4;
-  Stage stage = build_stage(cornell_box(BoxContents::GlassSphere, BoxLight::Down), 1, setting, 1);
-  measure_floor(stage, setting.pick(256, 128, 16));
+  const Stage stage =
+      build_lightmap(cornell_box(BoxContents::GlassSphere, BoxLight::Down), setting.pick(256, 128, 16), setting, -2);
   const std::uint64_t passes = setting.pick(512, 64, 2);
   const Variant two_way = of_plan("two-way");
   Job job(stage, two_way, kEdges, 1, kEdges);
@@ -84,16 +83,29 @@ void two_way_lightmap(Report& report) {
   options.max_edges = kEdges;
   options.passes = setting.pick(64, 16, 2);
   options.turns = setting.pick(16, 4, 2);
-  const auto contestants = hold(stage, {two_way, path_tracing()}, options);
+  Variant landing = two_way;
+  landing.name = "light tracing alone", landing.techniques = "t=0";
+  const auto contestants = hold(stage, {two_way, landing, eye_only()}, options);
   report.measured("The floor itself is the sensor: a texel measures the light it receives, and light subpaths hit it.");
   report.add(std::move(table));
   report.add(contest_table("The same time", contestants));
-  report.compare("The lightmap in the same time", label(contestants[0]), contestants[0].picture, label(contestants[1]),
-                 contestants[1].picture, stage.exposure);
-  const Estimate same = mean(contestants[0].end()), path = mean(contestants[1].end());
+  const Checkpoint &both = contestants[0].end(), &light = contestants[1].end(), &eye = contestants[2].end();
+  report.compare("The lightmap in the same time", label(contestants[0]), contestants[0].picture, label(contestants[2]),
+                 contestants[2].picture, stage.exposure);
+  Table agreement{"Texels whose means differ by more than so many standard errors of their difference, in per cent",
+                  {"", "2", "3", "mean / two-way"},
+                  {}};
+  const auto compare = [&](const char* name, const Checkpoint& a, const Checkpoint& b) {
+    agreement.rows.push_back({std::string(name), 100 * apart(a, b, 2), 100 * apart(a, b, 3), mean_ratio(a, both)});
+  };
+  compare("two-way and light alone", light, both);
+  compare("two-way and eye-only", eye, both);
+  compare("light alone and eye-only", eye, light);
+  report.add(std::move(agreement));
   report.verdict(all ? Verdict::Agrees : Verdict::Differs,
                  std::string(all ? "All techniques of each length carry light" : "Some techniques carry no light") +
-                     "; the mean of the map is " + text(same) + ", by path tracing " + text(path) + ".");
+                     "; the mean of the map is " + text(mean(both)) + ", by light alone " + text(mean(light)) +
+                     ", by eye-only " + text(mean(eye)) + ".");
 }
 
 }  // namespace bdpt_experiments

@@ -26,7 +26,7 @@ SceneDescription cornell_box(BoxContents contents, BoxLight light) {
   const int white = make.diffuse({0.73f, 0.73f, 0.73f});
   const int red = make.diffuse({0.63f, 0.06f, 0.05f});
   const int green = make.diffuse({0.14f, 0.45f, 0.09f});
-  make.quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, white);    // floor
+  make.mapped_quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, white);  // floor
   make.quad({-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1}, white);    // ceiling
   make.quad({-1, 0, -1}, {1, 0, -1}, {1, 2, -1}, {-1, 2, -1}, white);  // back
   make.quad({-1, 0, 1}, {-1, 0, -1}, {-1, 2, -1}, {-1, 2, 1}, red);    // left

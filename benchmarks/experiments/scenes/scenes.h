@@ -32,6 +32,11 @@ SceneDescription stacked_houses();
 // A small bathroom: tiles, a large mirror, a glossy basin and tub, two lamps in shades over the mirror.
 SceneDescription bathroom();
 
+// Rooms of which the floor is baked: under a wide lamp; with a glass sphere under a lamp of a hundredth of the ceiling;
+// under a lamp that shines up out of a box, through a gap below the ceiling.
+enum class BakedRoom { Plain, GlassSphere, Gap };
+SceneDescription baked_room(BakedRoom room);
+
 // Brown's scenes: spheres on a floor under a small spherical lamp; meshes on a floor under a small square one.
 SceneDescription brown_spheres();
 SceneDescription brown_meshes();
