@@ -122,4 +122,9 @@ std::vector<BakeOutput> bake_outputs(const BakeOptions& options) {
   return outputs;
 }
 
+TechniqueMask bake_techniques(const BakeOptions& options) {
+  const bool path = options.render.techniques.empty() && options.render.integrator == "path";
+  return path ? parse_technique_mask("s<=1") : technique_mask(options.render);
+}
+
 }  // namespace bdpt_tool

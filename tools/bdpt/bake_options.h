@@ -32,4 +32,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options);
 // From --outputs, --direct-only and --indirect-only. Throws an Error of kUsage.
 std::vector<BakeOutput> bake_outputs(const BakeOptions& options);
 
+// As technique_mask; but t = 1 of path tracing is the texel itself, which sees lamps directly.
+TechniqueMask bake_techniques(const BakeOptions& options);
+
 }  // namespace bdpt_tool

@@ -22,7 +22,7 @@ constexpr std::uint32_t kDefaultResolution = 256, kProbeResolution = 64, kMaxRow
 class BakeCommand {
  public:
   explicit BakeCommand(const BakeOptions& options)
-      : options_(options), outputs_(bake_outputs(options)), techniques_(technique_mask(options.render)) {}
+      : options_(options), outputs_(bake_outputs(options)), techniques_(bake_techniques(options)) {}
 
   ExitCode run() {
     check_files();
