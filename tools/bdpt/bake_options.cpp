@@ -96,8 +96,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
   command.add_option("--gutter", options.gutter, "Rings of texels round the charts that are filled (default 2)")
       ->check(CLI::Range(0, 64));
   command.add_flag("--geometric-normals", options.geometric_normals, "Not those that are interpolated over triangles");
-  command.add_option("--film", render.film, "Save the film, to go on from; an old one is replaced");
-  command.add_flag("--resume", render.resume, "If the file of --film is there, load it and go on from it");
+  add_film_options(command, render);
   add_limit_options(command, render);
   add_method_options(command, render);
   command.add_option("--threads", render.threads, "Threads that render (default: one per core)");

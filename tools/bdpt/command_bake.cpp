@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <memory>
 
+#include "advance.h"
 #include "bake_atlas.h"
 #include "bake_options.h"
 #include "commands.h"
 #include "film_output.h"
 #include "interrupt.h"
 #include "output_path.h"
-#include "progress_bar.h"
 #include "scene_upload.h"
 
 namespace bdpt_tool {
@@ -31,7 +31,7 @@ class BakeCommand {
     open_film();
     if (!interrupt_.interrupted()) bake();
     for (std::size_t atlas = 0; atlas < atlases_.size(); ++atlas) write(atlas);
-    save_film();
+    save_film(film_.get(), options_.render);
     return interrupt_.interrupted() ? ExitCode::kInterrupted : ExitCode::kSuccess;
   }
 
@@ -117,16 +117,7 @@ class BakeCommand {
   void bake() {
     const bdpt_render_desc desc = render_desc(options_.render, techniques_, range_.first, max_edges_);
     const Render render = make<Render>("the bake", bdpt_render_create, scene_.get(), sensor_.get(), film_.get(), &desc);
-    if (range_.end != 0 && range_.end <= range_.first) return;
-    ProgressBar bar;
-    auto advance = sized<bdpt_advance_desc>();
-    advance.passes = range_.end == 0 ? 0 : range_.end - range_.first;
-    advance.seconds = options_.render.seconds;
-    advance.noise = options_.render.noise;
-    advance.cancel = interrupt_.token();
-    advance.progress = ProgressBar::callback;
-    advance.progress_user = &bar;
-    check(bdpt_render_advance(render.get(), &advance, nullptr), "the bake");
+    advance(render.get(), film_.get(), options_.render, range_, interrupt_.token());
   }
 
   // A plane of one atlas, its gutters filled.
@@ -181,13 +172,6 @@ class BakeCommand {
       if (c == '/' || c == '\\' || c == ':') c = '_';
     const std::filesystem::path p(path);
     return (p.parent_path() / (p.stem().string() + "-" + name + p.extension().string())).string();
-  }
-
-  void save_film() {
-    const std::string& path = options_.render.film;
-    if (path.empty()) return;
-    if (bdpt_film_save(film_.get(), path.c_str()) < 0)
-      throw Error(ExitCode::kOutput, "cannot write '" + path + "': " + bdpt_last_error());
   }
 
   BakeOptions options_;
