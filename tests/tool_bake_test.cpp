@@ -8,6 +8,7 @@
 
 #include "agreement.h"
 #include "commands.h"
+#include "exr_parts.h"
 #include "gltf_writer.h"
 #include "image.h"
 #include "temp_folder.h"
@@ -61,7 +62,7 @@ class ToolBake : public testing::Test {
 };
 
 TEST_F(ToolBake, AFileForEachNodeALayerForEachPlane) {
-  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "4", "--outputs",
+  ASSERT_EQ(0, bake({"a.exr", "--files", "--resolution", "8", "--spp", "4", "--outputs",
                      "e,sh1,e-over-pi-indirect,openness,bent-normal,fronts", "--png", file("a.png")}))
       << error_;
   const auto floor = layers("a-floor.exr"), cellar = layers("a-cellar.exr");
@@ -77,6 +78,39 @@ TEST_F(ToolBake, AFileForEachNodeALayerForEachPlane) {
   for (const float v : cellar.at("").pixels) dark += double(v);
   EXPECT_GT(lit, 20 * dark);
   EXPECT_TRUE(std::ifstream(file("a-floor.png")).good());
+}
+
+TEST_F(ToolBake, AFileHasAPartForEachNode) {
+  const std::vector<std::string> how = {"a.exr", "--resolution", "8", "--spp", "4", "--outputs", "e,sh1"};
+  ASSERT_EQ(0, bake(how)) << error_;
+  EXPECT_FALSE(std::ifstream(file("a-floor.exr")).good());
+  const auto parts = read_exr_parts(file("a.exr"));
+  ASSERT_EQ(2u, parts.size());
+  std::vector<std::string> files = how;
+  files.push_back("--files");
+  ASSERT_EQ(0, bake(files)) << error_;
+  for (const char* node : {"floor", "cellar"}) {
+    const auto apart = layers("a-" + std::string(node) + ".exr");
+    ASSERT_TRUE(parts.contains(node));
+    ASSERT_EQ(apart.size(), parts.at(node).size());
+    for (const auto& [layer, image] : apart) EXPECT_EQ(image.pixels, parts.at(node).at(layer).pixels) << layer;
+  }
+  EXPECT_EQ(parts.at("floor").at("").pixels, layers("a.exr").at("").pixels);  // the first part
+  EXPECT_EQ(4u, folder_.count());                                             // the scene, a file of parts, two files
+}
+
+TEST_F(ToolBake, PartsThatCannotBeWrittenLeaveNothing) {
+  const auto images = [](std::size_t) { return std::vector<Image>{Image(4, 4)}; };
+  try {
+    write_exr_parts(file("none/a.exr"), {"one", "two"}, {"e"}, images);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(ExitCode::kOutput, error.code());
+  }
+  std::ofstream(file("old.exr")) << "old";
+  EXPECT_THROW(write_exr_parts(file("old.exr"), {"one", "one"}, {"e"}, images), Error);
+  EXPECT_EQ(3u, std::filesystem::file_size(file("old.exr")));
+  EXPECT_EQ(2u, folder_.count());
 }
 
 TEST_F(ToolBake, DirectAndIndirectLightMakeTheWhole) {
@@ -117,7 +151,8 @@ TEST_F(ToolBake, NodesOfOneNameAreBakedApart) {
   text.replace(text.find("cellar"), 6, "floor");
   std::ofstream(file("scene.gltf")) << text;
   ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "4"})) << error_;
-  const Image first = layers("a-floor.exr").at(""), second = layers("a-floor#2.exr").at("");
+  const auto parts = read_exr_parts(file("a.exr"));
+  const Image &first = parts.at("floor").at(""), &second = parts.at("floor#2").at("");
   double lit = 0, dark = 0;
   for (const float v : first.pixels) lit += double(v);
   for (const float v : second.pixels) dark += double(v);

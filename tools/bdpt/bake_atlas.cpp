@@ -2,7 +2,7 @@
 #include "bake_atlas.h"
 
 #include <algorithm>
-#include <map>
+#include <set>
 
 namespace bdpt_tool {
 namespace {
@@ -12,12 +12,20 @@ bool has_coordinates(const ShapeDescription& shape, int uv_set) {
   return mesh && !(uv_set == 0 ? mesh->uv : mesh->uv_lightmap).empty();
 }
 
-// Of several of one name, the second is NAME#2.
+// Of several of one name, the second is NAME#2. In the name of a file a slash and the like are underscores.
 void tell_apart(std::vector<Atlas>& atlases) {
-  std::map<std::string, int> seen;
+  std::set<std::string> names, files;
+  const auto unused = [](std::set<std::string>& taken, const std::string& name) {
+    std::string other = name;
+    for (int number = 2; !taken.insert(other).second; ++number) other = name + "#" + std::to_string(number);
+    return other;
+  };
   for (Atlas& atlas : atlases) {
-    const int number = ++seen[atlas.name];
-    if (number > 1) atlas.name += "#" + std::to_string(number);
+    atlas.name = unused(names, atlas.name);
+    std::string file = atlas.name;
+    for (char& c : file)
+      if (c == '/' || c == '\\' || c == ':') c = '_';
+    atlas.file_name = unused(files, file);
   }
 }
 
@@ -35,7 +43,7 @@ std::vector<Atlas> atlases_of(const SceneDescription& description, int uv_set, c
     const InstanceDescription& instance = description.instances[i];
     if (!has_coordinates(description.shapes[static_cast<std::size_t>(instance.shape)], uv_set)) continue;
     const bool more = !all.empty() && description.instances[all.back().instances[0]].node == instance.node;
-    if (!more) all.push_back({instance.node_name, {}});
+    if (!more) all.push_back({instance.node_name, "", {}});
     all.back().instances.push_back(i);
   }
   tell_apart(all);

@@ -71,9 +71,12 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
   command
       .add_option("-o,--output", render.output,
                   "The lightmap, OpenEXR, with a layer for each plane of the outputs and one for the coverage. Where "
-                  "several nodes of the scene are baked, a file for each: NAME-NODE.exr")
+                  "several nodes of the scene are baked, each is a part of the file, by its name")
       ->required();
-  command.add_option("--png", render.png, "The first output through the display transform, PNG, named in the same way");
+  command.add_flag("--files", options.files,
+                   "A file for each node instead, NAME-NODE.exr, for readers that know no parts");
+  command.add_option("--png", render.png,
+                     "The first output through the display transform, PNG; of several nodes NAME-NODE.png each");
   add_view_options(command, render.view);
   command.add_option("--uv", options.uv_set, "Set of texture coordinates: 1 (default) or 0")->check(CLI::Range(0, 1));
   command.add_option("--resolution", options.resolution, "Side of each lightmap in texels (default 256)")

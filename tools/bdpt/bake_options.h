@@ -25,6 +25,7 @@ struct BakeOptions {
   std::vector<std::string> subset;
   std::uint32_t gutter = 2;
   bool geometric_normals = false;
+  bool files = false;  // one for each node
 };
 
 void add_bake_options(CLI::App& command, BakeOptions& options);

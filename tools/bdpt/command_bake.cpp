@@ -9,6 +9,7 @@
 #include "bake_atlas.h"
 #include "bake_options.h"
 #include "commands.h"
+#include "exr_parts.h"
 #include "film_output.h"
 #include "interrupt.h"
 #include "output_path.h"
@@ -30,7 +31,7 @@ class BakeCommand {
     make_sensor();
     open_film();
     if (!interrupt_.interrupted()) bake();
-    for (std::size_t atlas = 0; atlas < atlases_.size(); ++atlas) write(atlas);
+    write();
     save_film(film_.get(), options_.render);
     return interrupt_.interrupted() ? ExitCode::kInterrupted : ExitCode::kSuccess;
   }
@@ -143,35 +144,52 @@ class BakeCommand {
     return image;
   }
 
-  void write(std::size_t atlas) {
+  // The planes of an atlas, and its coverage.
+  std::vector<Image> images_of(std::size_t atlas) {
     const std::size_t texels = std::size_t{resolution_} * resolution_;
     std::vector<float> all(texels * atlases_.size());
     check(bdpt_lightmap_read_texels(sensor_.get(), all.data(), nullptr, all.size()), "the lightmap");
     const std::vector<float> coverage(all.begin() + static_cast<std::ptrdiff_t>(atlas * texels),
                                       all.begin() + static_cast<std::ptrdiff_t>((atlas + 1) * texels));
-    std::vector<Image> planes;
-    std::vector<std::string> names;
-    for (const BakeOutput& output : outputs_)
-      for (const std::string& layer : output.layers) {
-        planes.push_back(plane_of(atlas, static_cast<std::uint32_t>(planes.size()), coverage));
-        names.push_back(layer);
-      }
-    Image covered(resolution_, resolution_);
-    for (std::size_t i = 0; i < 3 * texels; ++i) covered.pixels[i] = coverage[i / 3];
-    planes.push_back(covered);
-    names.push_back("coverage");
-    write_layers(path_of(options_.render.output, atlas), planes, names);
-    if (!options_.render.png.empty()) write_png(path_of(options_.render.png, atlas), planes[0], options_.render.view);
+    std::vector<Image> images;
+    const std::size_t planes = layer_names().size() - 1;
+    while (images.size() < planes)
+      images.push_back(plane_of(atlas, static_cast<std::uint32_t>(images.size()), coverage));
+    images.emplace_back(resolution_, resolution_);
+    for (std::size_t i = 0; i < 3 * texels; ++i) images.back().pixels[i] = coverage[i / 3];
+    return images;
   }
 
-  // The file of an atlas: one of several has the node's name in its own, without what file systems mind.
+  std::vector<std::string> layer_names() const {
+    std::vector<std::string> names;
+    for (const BakeOutput& output : outputs_) names.insert(names.end(), output.layers.begin(), output.layers.end());
+    names.push_back("coverage");
+    return names;
+  }
+
+  void write() {
+    const std::string& path = options_.render.output;
+    const auto images = [this](std::size_t atlas) {
+      std::vector<Image> planes = images_of(atlas);
+      const std::string& png = options_.render.png;
+      if (!png.empty()) write_png(path_of(png, atlas), planes[0], options_.render.view);
+      return planes;
+    };
+    if (!options_.files && atlases_.size() > 1) {
+      std::vector<std::string> parts;
+      for (const Atlas& atlas : atlases_) parts.push_back(atlas.name);
+      return write_exr_parts(path, parts, layer_names(), images);
+    }
+    for (std::size_t atlas = 0; atlas < atlases_.size(); ++atlas)
+      write_layers(path_of(path, atlas), images(atlas), layer_names());
+  }
+
+  // The file of an atlas: one of several has the node's name in its own.
   std::string path_of(const std::string& path, std::size_t atlas) const {
     if (atlases_.size() == 1) return path;
-    std::string name = atlases_[atlas].name;
-    for (char& c : name)
-      if (c == '/' || c == '\\' || c == ':') c = '_';
     const std::filesystem::path p(path);
-    return (p.parent_path() / (p.stem().string() + "-" + name + p.extension().string())).string();
+    const std::string name = p.stem().string() + "-" + atlases_[atlas].file_name + p.extension().string();
+    return (p.parent_path() / name).string();
   }
 
   BakeOptions options_;
