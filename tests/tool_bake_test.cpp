@@ -3,9 +3,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
+#include "agreement.h"
 #include "commands.h"
+#include "exr_parts.h"
 #include "gltf_writer.h"
 #include "image.h"
 #include "temp_folder.h"
@@ -41,9 +44,9 @@ class ToolBake : public testing::Test {
   std::string file(const std::string& name) const { return folder_.file(name); }
 
   // `bdpt bake scene.gltf` with these arguments, of which the first names the output.
-  int bake(std::vector<std::string> arguments) {
+  int bake(std::vector<std::string> arguments, const std::string& scene = "scene.gltf") {
     arguments[0] = file(arguments[0]);
-    std::vector<std::string> all = {"bdpt", "bake", file("scene.gltf"), "-o"};
+    std::vector<std::string> all = {"bdpt", "bake", file(scene), "-o"};
     all.insert(all.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& a : all) argv.push_back(a.data());
@@ -59,7 +62,7 @@ class ToolBake : public testing::Test {
 };
 
 TEST_F(ToolBake, AFileForEachNodeALayerForEachPlane) {
-  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "4", "--outputs",
+  ASSERT_EQ(0, bake({"a.exr", "--files", "--resolution", "8", "--spp", "4", "--outputs",
                      "e,sh1,e-over-pi-indirect,openness,bent-normal,fronts", "--png", file("a.png")}))
       << error_;
   const auto floor = layers("a-floor.exr"), cellar = layers("a-cellar.exr");
@@ -75,6 +78,39 @@ TEST_F(ToolBake, AFileForEachNodeALayerForEachPlane) {
   for (const float v : cellar.at("").pixels) dark += double(v);
   EXPECT_GT(lit, 20 * dark);
   EXPECT_TRUE(std::ifstream(file("a-floor.png")).good());
+}
+
+TEST_F(ToolBake, AFileHasAPartForEachNode) {
+  const std::vector<std::string> how = {"a.exr", "--resolution", "8", "--spp", "4", "--outputs", "e,sh1"};
+  ASSERT_EQ(0, bake(how)) << error_;
+  EXPECT_FALSE(std::ifstream(file("a-floor.exr")).good());
+  const auto parts = read_exr_parts(file("a.exr"));
+  ASSERT_EQ(2u, parts.size());
+  std::vector<std::string> files = how;
+  files.push_back("--files");
+  ASSERT_EQ(0, bake(files)) << error_;
+  for (const char* node : {"floor", "cellar"}) {
+    const auto apart = layers("a-" + std::string(node) + ".exr");
+    ASSERT_TRUE(parts.contains(node));
+    ASSERT_EQ(apart.size(), parts.at(node).size());
+    for (const auto& [layer, image] : apart) EXPECT_EQ(image.pixels, parts.at(node).at(layer).pixels) << layer;
+  }
+  EXPECT_EQ(parts.at("floor").at("").pixels, layers("a.exr").at("").pixels);  // the first part
+  EXPECT_EQ(4u, folder_.count());                                             // the scene, a file of parts, two files
+}
+
+TEST_F(ToolBake, PartsThatCannotBeWrittenLeaveNothing) {
+  const auto images = [](std::size_t) { return std::vector<Image>{Image(4, 4)}; };
+  try {
+    write_exr_parts(file("none/a.exr"), {"one", "two"}, {"e"}, images);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(ExitCode::kOutput, error.code());
+  }
+  std::ofstream(file("old.exr")) << "old";
+  EXPECT_THROW(write_exr_parts(file("old.exr"), {"one", "one"}, {"e"}, images), Error);
+  EXPECT_EQ(3u, std::filesystem::file_size(file("old.exr")));
+  EXPECT_EQ(2u, folder_.count());
 }
 
 TEST_F(ToolBake, DirectAndIndirectLightMakeTheWhole) {
@@ -108,6 +144,79 @@ TEST_F(ToolBake, WhatGoesOnHasTheBitsOfTheWhole) {
   EXPECT_EQ(layers("whole.exr").at("").pixels, layers("half.exr").at("").pixels);
   half[2] = "9";  // another lightmap than the film's
   EXPECT_NE(0, bake(half));
+}
+
+TEST_F(ToolBake, NodesOfOneNameAreBakedApart) {
+  std::string text = scene();
+  text.replace(text.find("cellar"), 6, "floor");
+  std::ofstream(file("scene.gltf")) << text;
+  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "4"})) << error_;
+  const auto parts = read_exr_parts(file("a.exr"));
+  const Image &first = parts.at("floor").at(""), &second = parts.at("floor#2").at("");
+  double lit = 0, dark = 0;
+  for (const float v : first.pixels) lit += double(v);
+  for (const float v : second.pixels) dark += double(v);
+  EXPECT_GT(lit, 20 * dark);
+  ASSERT_EQ(0, bake({"b.exr", "--resolution", "8", "--spp", "4", "--subset", "floor#2"})) << error_;
+  EXPECT_TRUE(layers("b.exr").contains("coverage"));
+}
+
+// What other bakers do takes lamps from the texel; without that, it would find this one by chance alone.
+TEST_F(ToolBake, PathTracingSeesLampsFromTheTexel) {
+  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--subset", "floor", "--spp", "1024", "--integrator", "path"}));
+  ASSERT_EQ(0, bake({"b.exr", "--resolution", "8", "--subset", "floor", "--spp", "4096"}));
+  const Image a = layers("a.exr").at(""), b = layers("b.exr").at("");
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) EXPECT_NEAR(a.pixels[i], b.pixels[i], 0.02f * b.pixels[i]);
+}
+
+// Means of 4 x 4 blocks of the floor under a box of glass, for each seed; the lightmap has 16 x 16 texels.
+class Caustic : public ToolBake {
+ protected:
+  static constexpr std::size_t kSide = 16, kBlock = 4, kBlocks = kSide / kBlock;
+
+  void write_scene(const std::string& meshes) {
+    std::ofstream(file("caustic.pbrt"))
+        << "Integrator \"path\" \"integer maxdepth\" 5\nCamera \"perspective\"\nWorldBegin\n"
+           "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [30 30 30]\nTranslate 4 1 6\n"
+           "Shape \"sphere\" \"float radius\" 1\nAttributeEnd\n"
+           "Shape \"plymesh\" \"string filename\" \""
+        << meshes
+        << "/mesh-00001.ply\"\n"
+           "Material \"dielectric\"\nShape \"plymesh\" \"string filename\" \""
+        << meshes << "/mesh-00002.ply\"\n";
+  }
+  std::vector<std::vector<double>> bake_blocks(const std::vector<std::string>& how, int first_seed) {
+    std::vector<std::vector<double>> blocks(kBlocks * kBlocks);
+    for (int seed = first_seed; seed < first_seed + 16; ++seed) {
+      std::vector<std::string> arguments = {
+          "a.exr",    "--uv", "0",         "--subset",    "mesh-00001.ply", "--resolution",      "16",
+          "--gutter", "0",    "--sampler", "independent", "--seed",         std::to_string(seed)};
+      arguments.insert(arguments.end(), how.begin(), how.end());
+      EXPECT_EQ(0, bake(arguments, "caustic.pbrt")) << error_;
+      const Image map = layers("a.exr").at("");
+      std::vector<double> sums(blocks.size());
+      for (std::size_t y = 0; y < kSide; ++y)
+        for (std::size_t x = 0; x < kSide; ++x)
+          sums[y / kBlock * kBlocks + x / kBlock] += double(map.pixels[3 * (y * kSide + x)]) / double(kBlock * kBlock);
+      for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].push_back(sums[i]);
+    }
+    return blocks;
+  }
+};
+
+TEST_F(Caustic, HasTheLightThatLightTracingAloneFinds) {
+  const std::string meshes = BDPT_SHARED_DIR "/scenes/lightmap/luxcore-bake";
+  if (!std::filesystem::exists(meshes)) GTEST_SKIP() << "no " << meshes;
+  write_scene(std::filesystem::canonical(meshes).string());
+  const auto light = bake_blocks({"--techniques", "t<=0", "--spp", "512", "--light-samples", "16"}, 1);
+  const auto both = bake_blocks({"--integrator", "two-way", "--spp", "512", "--light-samples", "4"}, 101);
+  const Agreement agreement = compare_blocks(both, light, {});
+  EXPECT_LT(agreement.worst, 1) << agreement.table;
+  EXPECT_LT(agreement.widest, 0.02) << agreement.table;
+  auto planted = both;
+  for (auto& block : planted)
+    for (double& mean : block) mean *= 1.02;
+  EXPECT_GT(compare_blocks(planted, light, {}).worst, 1);
 }
 
 TEST_F(ToolBake, WhatCannotBeIsTold) {

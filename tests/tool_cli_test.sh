@@ -161,4 +161,42 @@ code=$?
 [ $code -eq 130 ] || fail "interrupted: exit code $code, not 130"
 [ -s cut.exr ] && [ -s cut.film ] || fail "interrupted: nothing written"
 
+# Bakes: halves make the whole, and so does what goes on after it was killed, to the bit.
+sed '/^Film/d; s/"integer indices" \[0 2 1 0 3 2\]/& "point2 uv" [0 0 1 0 1 1 0 1]/' box.pbrt >floor.pbrt
+bake="bake floor.pbrt --uv 0 --resolution 64 --outputs e,sh1"
+expect 0 '' $bake -o map.exr --spp 300
+expect 0 '' $bake -o half.exr --passes 0:150 --film a.map
+expect 0 '' $bake -o half.exr --passes 150:300 --film b.map
+expect 0 '' merge a.map b.map -o sum.map
+expect 0 '' $bake -o sum.exr --spp 300 --film sum.map --resume
+cmp -s map.exr sum.exr || fail "the merged lightmap differs"
+cmp -s map.exr half.exr && fail "half a lightmap is as good as a whole one"
+
+"$BDPT_TOOL" $bake -o killed.exr --spp 300 --film killed.map --checkpoint 0.02 &
+job=$!
+for i in $(seq 1000); do
+  [ -s killed.map ] && break
+  sleep 0.01
+done
+kill -KILL $job
+wait $job 2>/dev/null
+code=$?
+[ $code -eq 137 ] || fail "the bake was over before it was killed: exit code $code"
+[ ! -e killed.exr ] || fail "killed, and a lightmap all the same"
+cp killed.map found.map
+expect 0 '' $bake -o never.exr --spp 1 --film found.map --resume
+cmp -s found.map killed.map || fail "the film was not found to go on from"
+expect 0 '' $bake -o killed.exr --spp 300 --film killed.map --resume
+cmp -s map.exr killed.exr || fail "the lightmap that went on differs"
+expect 5 '^bdpt: ' $bake -o x.exr --spp 8 --film killed.map --resume --seed 1
+
+"$BDPT_TOOL" $bake -o cut-map.exr --film cut.map --spp 100000000 2>stderr.txt &
+job=$!
+sleep 1
+kill -INT $job
+wait $job
+code=$?
+[ $code -eq 130 ] || fail "interrupted bake: exit code $code, not 130"
+[ -s cut-map.exr ] && [ -s cut.map ] || fail "interrupted bake: nothing written"
+
 [ $failures -eq 0 ]

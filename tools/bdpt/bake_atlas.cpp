@@ -2,16 +2,31 @@
 #include "bake_atlas.h"
 
 #include <algorithm>
+#include <set>
 
 namespace bdpt_tool {
 namespace {
 
-// Parts of a node have its name, a slash, and a number.
-std::string node_of(const std::string& label) { return label.substr(0, label.rfind('/')); }
-
 bool has_coordinates(const ShapeDescription& shape, int uv_set) {
   const auto* mesh = std::get_if<TriangleMesh>(&shape.geometry);
   return mesh && !(uv_set == 0 ? mesh->uv : mesh->uv_lightmap).empty();
+}
+
+// Of several of one name, the second is NAME#2. In the name of a file a slash and the like are underscores.
+void tell_apart(std::vector<Atlas>& atlases) {
+  std::set<std::string> names, files;
+  const auto unused = [](std::set<std::string>& taken, const std::string& name) {
+    std::string other = name;
+    for (int number = 2; !taken.insert(other).second; ++number) other = name + "#" + std::to_string(number);
+    return other;
+  };
+  for (Atlas& atlas : atlases) {
+    atlas.name = unused(names, atlas.name);
+    std::string file = atlas.name;
+    for (char& c : file)
+      if (c == '/' || c == '\\' || c == ':') c = '_';
+    atlas.file_name = unused(files, file);
+  }
 }
 
 std::string list_of(const std::vector<Atlas>& atlases) {
@@ -27,14 +42,11 @@ std::vector<Atlas> atlases_of(const SceneDescription& description, int uv_set, c
   for (std::size_t i = 0; i < description.instances.size(); ++i) {
     const InstanceDescription& instance = description.instances[i];
     if (!has_coordinates(description.shapes[static_cast<std::size_t>(instance.shape)], uv_set)) continue;
-    const std::string name = node_of(instance.label);
-    const auto known = std::find_if(all.begin(), all.end(), [&](const Atlas& a) { return a.name == name; });
-    if (known == all.end()) {
-      all.push_back({name, {i}});
-    } else {
-      known->instances.push_back(i);
-    }
+    const bool more = !all.empty() && description.instances[all.back().instances[0]].node == instance.node;
+    if (!more) all.push_back({instance.node_name, "", {}});
+    all.back().instances.push_back(i);
   }
+  tell_apart(all);
   if (all.empty()) {
     throw Error(Location{description.path, 0}, "no mesh has uv set " + std::to_string(uv_set) +
                                                    ", in which a lightmap could be laid out; try --uv " +

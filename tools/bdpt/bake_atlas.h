@@ -13,7 +13,8 @@ namespace bdpt_tool {
 
 // The instances that share texture coordinates: the parts of one node of a scene file.
 struct Atlas {
-  std::string name;
+  std::string name;                    // no two have one name
+  std::string file_name;               // the same, as a part of the name of a file
   std::vector<std::size_t> instances;  // of the description
 };
 

@@ -71,9 +71,12 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
   command
       .add_option("-o,--output", render.output,
                   "The lightmap, OpenEXR, with a layer for each plane of the outputs and one for the coverage. Where "
-                  "several nodes of the scene are baked, a file for each: NAME-NODE.exr")
+                  "several nodes of the scene are baked, each is a part of the file, by its name")
       ->required();
-  command.add_option("--png", render.png, "The first output through the display transform, PNG, named in the same way");
+  command.add_flag("--files", options.files,
+                   "A file for each node instead, NAME-NODE.exr, for readers that know no parts");
+  command.add_option("--png", render.png,
+                     "The first output through the display transform, PNG; of several nodes NAME-NODE.png each");
   add_view_options(command, render.view);
   command.add_option("--uv", options.uv_set, "Set of texture coordinates: 1 (default) or 0")->check(CLI::Range(0, 1));
   command.add_option("--resolution", options.resolution, "Side of each lightmap in texels (default 256)")
@@ -96,8 +99,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
   command.add_option("--gutter", options.gutter, "Rings of texels round the charts that are filled (default 2)")
       ->check(CLI::Range(0, 64));
   command.add_flag("--geometric-normals", options.geometric_normals, "Not those that are interpolated over triangles");
-  command.add_option("--film", render.film, "Save the film, to go on from; an old one is replaced");
-  command.add_flag("--resume", render.resume, "If the file of --film is there, load it and go on from it");
+  add_film_options(command, render);
   add_limit_options(command, render);
   add_method_options(command, render);
   command.add_option("--threads", render.threads, "Threads that render (default: one per core)");
@@ -120,6 +122,11 @@ std::vector<BakeOutput> bake_outputs(const BakeOptions& options) {
       if (outputs[i].layers[0] == outputs[j].layers[0])
         throw Error(ExitCode::kUsage, "--outputs: two of them have one name in the file; bake them apart");
   return outputs;
+}
+
+TechniqueMask bake_techniques(const BakeOptions& options) {
+  const bool path = options.render.techniques.empty() && options.render.integrator == "path";
+  return path ? parse_technique_mask("s<=1") : technique_mask(options.render);
 }
 
 }  // namespace bdpt_tool

@@ -25,11 +25,15 @@ struct BakeOptions {
   std::vector<std::string> subset;
   std::uint32_t gutter = 2;
   bool geometric_normals = false;
+  bool files = false;  // one for each node
 };
 
 void add_bake_options(CLI::App& command, BakeOptions& options);
 
 // From --outputs, --direct-only and --indirect-only. Throws an Error of kUsage.
 std::vector<BakeOutput> bake_outputs(const BakeOptions& options);
+
+// As technique_mask; but t = 1 of path tracing is the texel itself, which sees lamps directly.
+TechniqueMask bake_techniques(const BakeOptions& options);
 
 }  // namespace bdpt_tool

@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "advance.h"
 #include "bake_atlas.h"
 #include "bake_options.h"
 #include "commands.h"
+#include "exr_parts.h"
 #include "film_output.h"
 #include "interrupt.h"
 #include "output_path.h"
-#include "progress_bar.h"
 #include "scene_upload.h"
 
 namespace bdpt_tool {
@@ -22,7 +23,7 @@ constexpr std::uint32_t kDefaultResolution = 256, kProbeResolution = 64, kMaxRow
 class BakeCommand {
  public:
   explicit BakeCommand(const BakeOptions& options)
-      : options_(options), outputs_(bake_outputs(options)), techniques_(technique_mask(options.render)) {}
+      : options_(options), outputs_(bake_outputs(options)), techniques_(bake_techniques(options)) {}
 
   ExitCode run() {
     check_files();
@@ -30,8 +31,8 @@ class BakeCommand {
     make_sensor();
     open_film();
     if (!interrupt_.interrupted()) bake();
-    for (std::size_t atlas = 0; atlas < atlases_.size(); ++atlas) write(atlas);
-    save_film();
+    write();
+    save_film(film_.get(), options_.render);
     return interrupt_.interrupted() ? ExitCode::kInterrupted : ExitCode::kSuccess;
   }
 
@@ -117,16 +118,7 @@ class BakeCommand {
   void bake() {
     const bdpt_render_desc desc = render_desc(options_.render, techniques_, range_.first, max_edges_);
     const Render render = make<Render>("the bake", bdpt_render_create, scene_.get(), sensor_.get(), film_.get(), &desc);
-    if (range_.end != 0 && range_.end <= range_.first) return;
-    ProgressBar bar;
-    auto advance = sized<bdpt_advance_desc>();
-    advance.passes = range_.end == 0 ? 0 : range_.end - range_.first;
-    advance.seconds = options_.render.seconds;
-    advance.noise = options_.render.noise;
-    advance.cancel = interrupt_.token();
-    advance.progress = ProgressBar::callback;
-    advance.progress_user = &bar;
-    check(bdpt_render_advance(render.get(), &advance, nullptr), "the bake");
+    advance(render.get(), film_.get(), options_.render, range_, interrupt_.token());
   }
 
   // A plane of one atlas, its gutters filled.
@@ -152,42 +144,52 @@ class BakeCommand {
     return image;
   }
 
-  void write(std::size_t atlas) {
+  // The planes of an atlas, and its coverage.
+  std::vector<Image> images_of(std::size_t atlas) {
     const std::size_t texels = std::size_t{resolution_} * resolution_;
     std::vector<float> all(texels * atlases_.size());
     check(bdpt_lightmap_read_texels(sensor_.get(), all.data(), nullptr, all.size()), "the lightmap");
     const std::vector<float> coverage(all.begin() + static_cast<std::ptrdiff_t>(atlas * texels),
                                       all.begin() + static_cast<std::ptrdiff_t>((atlas + 1) * texels));
-    std::vector<Image> planes;
-    std::vector<std::string> names;
-    for (const BakeOutput& output : outputs_)
-      for (const std::string& layer : output.layers) {
-        planes.push_back(plane_of(atlas, static_cast<std::uint32_t>(planes.size()), coverage));
-        names.push_back(layer);
-      }
-    Image covered(resolution_, resolution_);
-    for (std::size_t i = 0; i < 3 * texels; ++i) covered.pixels[i] = coverage[i / 3];
-    planes.push_back(covered);
-    names.push_back("coverage");
-    write_layers(path_of(options_.render.output, atlas), planes, names);
-    if (!options_.render.png.empty()) write_png(path_of(options_.render.png, atlas), planes[0], options_.render.view);
+    std::vector<Image> images;
+    const std::size_t planes = layer_names().size() - 1;
+    while (images.size() < planes)
+      images.push_back(plane_of(atlas, static_cast<std::uint32_t>(images.size()), coverage));
+    images.emplace_back(resolution_, resolution_);
+    for (std::size_t i = 0; i < 3 * texels; ++i) images.back().pixels[i] = coverage[i / 3];
+    return images;
   }
 
-  // The file of an atlas: one of several has the node's name in its own, without what file systems mind.
+  std::vector<std::string> layer_names() const {
+    std::vector<std::string> names;
+    for (const BakeOutput& output : outputs_) names.insert(names.end(), output.layers.begin(), output.layers.end());
+    names.push_back("coverage");
+    return names;
+  }
+
+  void write() {
+    const std::string& path = options_.render.output;
+    const auto images = [this](std::size_t atlas) {
+      std::vector<Image> planes = images_of(atlas);
+      const std::string& png = options_.render.png;
+      if (!png.empty()) write_png(path_of(png, atlas), planes[0], options_.render.view);
+      return planes;
+    };
+    if (!options_.files && atlases_.size() > 1) {
+      std::vector<std::string> parts;
+      for (const Atlas& atlas : atlases_) parts.push_back(atlas.name);
+      return write_exr_parts(path, parts, layer_names(), images);
+    }
+    for (std::size_t atlas = 0; atlas < atlases_.size(); ++atlas)
+      write_layers(path_of(path, atlas), images(atlas), layer_names());
+  }
+
+  // The file of an atlas: one of several has the node's name in its own.
   std::string path_of(const std::string& path, std::size_t atlas) const {
     if (atlases_.size() == 1) return path;
-    std::string name = atlases_[atlas].name;
-    for (char& c : name)
-      if (c == '/' || c == '\\' || c == ':') c = '_';
     const std::filesystem::path p(path);
-    return (p.parent_path() / (p.stem().string() + "-" + name + p.extension().string())).string();
-  }
-
-  void save_film() {
-    const std::string& path = options_.render.film;
-    if (path.empty()) return;
-    if (bdpt_film_save(film_.get(), path.c_str()) < 0)
-      throw Error(ExitCode::kOutput, "cannot write '" + path + "': " + bdpt_last_error());
+    const std::string name = p.stem().string() + "-" + atlases_[atlas].file_name + p.extension().string();
+    return (p.parent_path() / name).string();
   }
 
   BakeOptions options_;

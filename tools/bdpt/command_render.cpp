@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "advance.h"
 #include "commands.h"
 #include "film_output.h"
 #include "interrupt.h"
 #include "output_path.h"
-#include "progress_bar.h"
 #include "pyramid.h"
 #include "render_options.h"
 #include "render_report.h"
@@ -127,22 +127,10 @@ class RenderCommand {
     const bdpt_render_desc desc = render_desc(options_, techniques_, range_.first, max_edges_);
     const Render render =
         make<Render>("the render", bdpt_render_create, scene_.get(), sensor_.get(), film_.get(), &desc);
-    if (range_.end == 0 || range_.end > range_.first) advance(render.get());
+    advance(render.get(), film_.get(), options_, range_, interrupt_.token());
     report_.render_seconds = watch.seconds();
     check(bdpt_render_get_stats(render.get(), &report_.stats), "the render");
     report_.techniques = read_techniques(render.get());
-  }
-
-  void advance(bdpt_render* render) {
-    ProgressBar bar;
-    auto desc = sized<bdpt_advance_desc>();
-    desc.passes = range_.end == 0 ? 0 : range_.end - range_.first;
-    desc.seconds = options_.seconds;
-    desc.noise = options_.noise;
-    desc.cancel = interrupt_.token();
-    desc.progress = ProgressBar::callback;
-    desc.progress_user = &bar;
-    check(bdpt_render_advance(render, &desc, nullptr), "the render");
   }
 
   void write_outputs() {
@@ -153,10 +141,7 @@ class RenderCommand {
     if (!options_.pyramid.empty()) {
       write_pyramid(options_.pyramid, film_.get(), techniques_, has_lens_, partial, options_.view);
     }
-    if (options_.film.empty()) return;
-    if (bdpt_film_save(film_.get(), options_.film.c_str()) < 0) {
-      throw Error(ExitCode::kOutput, "cannot write '" + options_.film + "': " + bdpt_last_error());
-    }
+    save_film(film_.get(), options_);
   }
 
   void report() {

@@ -39,6 +39,8 @@ Image to_linear(const ByteImage& bytes);
 
 // The layers of an OpenEXR file that have channels R, G and B; the main one has an empty name.
 std::map<std::string, Image> read_exr(const std::string& path, const Location& from = {});
+// Those of each part of a file, by name; the former reads the first part alone.
+std::map<std::string, std::map<std::string, Image>> read_exr_parts(const std::string& path);
 
 namespace detail {
 ByteImage read_jpeg(const std::string& path, const std::string_view& data, const Location& from);

@@ -2,7 +2,8 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 
 #include "image.h"
 
@@ -35,8 +36,8 @@ void add_slices(Imf::FrameBuffer& buffer, const std::string& layer, Image& image
   }
 }
 
-std::map<std::string, Image> read(const std::string& path) {
-  Imf::InputFile file(path.c_str());
+std::map<std::string, Image> read(Imf::MultiPartInputFile& parts, int part) {
+  Imf::InputPart file(parts, part);
   const Imath::Box2i window = file.header().dataWindow();
   const auto width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
   const auto height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
@@ -57,9 +58,21 @@ std::map<std::string, Image> read(const std::string& path) {
 
 std::map<std::string, Image> read_exr(const std::string& path, const Location& from) {
   try {
-    return read(path);
+    Imf::MultiPartInputFile file(path.c_str());
+    return read(file, 0);
   } catch (const std::exception& error) {
     detail::fail_image(path, from, error.what());
+  }
+}
+
+std::map<std::string, std::map<std::string, Image>> read_exr_parts(const std::string& path) {
+  try {
+    Imf::MultiPartInputFile file(path.c_str());
+    std::map<std::string, std::map<std::string, Image>> parts;
+    for (int i = 0; i < file.parts(); ++i) parts[file.header(i).hasName() ? file.header(i).name() : ""] = read(file, i);
+    return parts;
+  } catch (const std::exception& error) {
+    detail::fail_image(path, {}, error.what());
   }
 }
 

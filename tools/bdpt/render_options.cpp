@@ -60,8 +60,7 @@ std::string plan_list() {
 void add_output_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.output, "The picture, OpenEXR, with a layer 'variance'")->required();
   command.add_option("--png", options.png, "The picture through the display transform, PNG");
-  command.add_option("--film", options.film, "Save the film, to merge or to go on from; an old one is replaced");
-  command.add_flag("--resume", options.resume, "If the file of --film is there, load it and go on from it");
+  add_film_options(command, options);
   command.add_option("--pyramid", options.pyramid,
                      "Folder for the picture of each technique (s,t), and pyramid.png with all of them; row k is "
                      "over-exposed by k-1 stops");
@@ -91,6 +90,15 @@ std::uint64_t parse_pass(std::string_view text) {
 }
 
 }  // namespace
+
+void add_film_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("--film", options.film, "Save the film, to merge or to go on from; an old one is replaced");
+  command.add_flag("--resume", options.resume, "If the file of --film is there, load it and go on from it");
+  command
+      .add_option("--checkpoint", options.checkpoint,
+                  "Save the film after so many seconds, too, each time (default 60; 0: at the end alone)")
+      ->check(CLI::NonNegativeNumber);
+}
 
 void add_limit_options(CLI::App& command, RenderOptions& options) {
   command

@@ -20,7 +20,7 @@ namespace bdpt_tool {
 struct RenderOptions {
   std::string scene, output, png, film, pyramid;
   std::optional<std::uint64_t> samples_per_pixel;
-  double seconds = 0, noise = 0;
+  double seconds = 0, noise = 0, checkpoint = 60;
   std::string passes;  // "A:B"
   std::uint64_t seed = 0;
   std::optional<std::uint32_t> width, height, max_edges;
@@ -50,6 +50,7 @@ struct RenderOptions {
 
 void add_render_options(CLI::App& command, RenderOptions& options);
 // Those of them that say how long, and by which method.
+void add_film_options(CLI::App& command, RenderOptions& options);
 void add_limit_options(CLI::App& command, RenderOptions& options);
 void add_method_options(CLI::App& command, RenderOptions& options);
 

@@ -58,7 +58,9 @@ struct InstanceDescription {
   int material = 0;
   std::array<float, 12> transform = {};
   Location where;
-  std::string label;      // by which it is named in errors and on the command line
+  std::string label;      // by which it is named in errors
+  std::size_t node = 0;   // what is placed at once, the parts of a mesh, has one number
+  std::string node_name;  // by which that is named on the command line; several may have one name
   bdpt_instance_id id{};  // once the library has it
 };
 

@@ -134,10 +134,11 @@ class Reader {
     if (!to_world.is_finite()) throw Error(where_, name(placed) + " has a transform that is not finite");
     if (!to_world.is_invertible()) return notes_.add("what is scaled to nothing is left out", name(placed));
     const std::vector<Part>& all = parts(node(placed).mesh);
+    const std::size_t number = scene_.instances.size();
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (all[i].shape < 0) continue;
       scene_.instances.push_back({all[i].shape, all[i].material, to_world.rows(), where_,
-                                  all.size() > 1 ? label + "/" + std::to_string(i) : label});
+                                  all.size() > 1 ? label + "/" + std::to_string(i) : label, number, label});
     }
   }
 

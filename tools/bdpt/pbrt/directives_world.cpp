@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <utility>
 
 #include "pbrt/directives.h"
@@ -199,8 +200,9 @@ void Directives::place(const PlacedShape& placed) {
   if (std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry) && uniform_scale(transform) == 0) {
     throw Error(placed.where, "this transform makes an ellipsoid of a sphere; scale alike in all axes, or use a mesh");
   }
-  scene_.instances.push_back({placed.shape, place_material(placed), transform.rows(), placed.where,
-                              scene_.shapes[static_cast<std::size_t>(placed.shape)].label});
+  const std::string& label = scene_.shapes[static_cast<std::size_t>(placed.shape)].label;
+  scene_.instances.push_back({placed.shape, place_material(placed), transform.rows(), placed.where, label,
+                              scene_.instances.size(), std::filesystem::path(label).filename().string()});
 }
 
 void Directives::finish(const Location& end) {
