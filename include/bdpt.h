@@ -554,15 +554,23 @@ typedef struct bdpt_lightmap_desc {
                                 light subpaths gives them the bits of the whole bake; with light subpaths, of which a
                                 pass has one for each texel, the same measurements but other noise */
   uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
-  uint32_t reserved;
+  uint32_t buried_rays;      /* 0 = off; else [1,4096], 16 will do: so many rays from each of 8 x 8 cells of each texel find
+                                what is buried, inside of geometry; it is not measured at all: no part of E_j and A_j */
+  float backface_tolerance;  /* a cell is buried where more than this part of its rays, spread by the cosine, meets the
+                                back of a surface first: (0,1); 0 = 0.5 */
+  uint32_t all_backs;        /* whose backs: 0: of one-sided surfaces; 1: of all but dielectrics */
+  const bdpt_cancel *cancel; /* stops the search for what is buried, which takes some ten seconds for 1024 x 1024 texels on
+                                two cores; may be NULL */
 } bdpt_lightmap_desc;
 
 /* Creates a lightmap. A texel measures the mean over all of the surface that it covers, by area: E_j = 1/A_j INT E dA, so
  * that the sum of A_j E_j (with geometric normals) is the light that falls on the surface, to the last ray. Where several
  * surfaces share a texel the mean is over all of them. Triangles without area in the atlas, and what lies outside of it,
- * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel covered),
- * _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them. With buried_rays,
+ * floors that run on under walls are not darkened there: whether a cell counts is found once, and holds for eye and light
+ * subpaths alike.
+ * Returns: BDPT_CANCELLED; BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel
+ * covered, all of them buried), _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
  * Source: Veach (1997), 10.6; the measurement functions are those of docs/baking.md. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_create(bdpt_scene *scene, const bdpt_lightmap_desc *desc, bdpt_sensor **sensor);
@@ -577,6 +585,8 @@ typedef struct bdpt_lightmap_info {
   uint64_t triangles_outside;  /* that reach out of the atlas */
   double area;                 /* of the surface measured, in the world */
   double area_outside;         /* of what lies outside of the atlas */
+  uint64_t texels_buried;      /* that cover surface, but all of it buried: not among texels */
+  double area_buried;          /* of what is left out for being buried, in the world */
 } bdpt_lightmap_info;
 
 /* Tells what a lightmap covers.
@@ -589,6 +599,11 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_get_info(const bdpt_sensor *sensor
  * that of each.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sensor, float *coverage, float *area, uint64_t capacity);
+
+/* Reads, for each texel in rows, the part of it whose surfaces are buried, by area in the atlas; bdpt_lightmap_read_texels
+ * tells of what is left. Zeros where desc.buried_rays was 0. capacity is in floats.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_buried(const bdpt_sensor *sensor, float *buried, uint64_t capacity);
 
 typedef struct bdpt_point {
   float position[3];

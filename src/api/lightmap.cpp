@@ -3,6 +3,7 @@
 #include "api/handles.h"
 #include "api/host_array.h"
 #include "api/output_desc.h"
+#include "api/parallel.h"
 #include "api/read_rect.h"
 
 #include <unordered_map>
@@ -83,6 +84,36 @@ const Lightmap& lightmap_of(const bdpt_sensor* sensor) {
   return *lightmap;
 }
 
+constexpr float kBackfaceTolerance = 0.5f;
+
+BurialDesc read_burial(const Subject& subject, const bdpt_lightmap_desc& desc, Executor& executor) {
+  BurialDesc burial;
+  subject.check_range("buried_rays", desc.buried_rays, 0, 4096);
+  subject.check_range("backface_tolerance", desc.backface_tolerance, 0, 0x1.fffffep-1);
+  subject.check_flag("all_backs", desc.all_backs);
+  if (desc.buried_rays == 0 && (desc.backface_tolerance != 0 || desc.all_backs != 0))
+    subject.refuse(desc.all_backs != 0 ? "all_backs" : "backface_tolerance",
+                   "is set although buried_rays is 0, and nothing is looked for: give buried_rays, such as 16");
+  burial.rays = int(desc.buried_rays);
+  burial.tolerance = desc.backface_tolerance != 0 ? desc.backface_tolerance : kBackfaceTolerance;
+  burial.all_backs = desc.all_backs != 0;
+  burial.parallel = [&executor, cancel = desc.cancel](uint32_t n, const std::function<void(uint32_t)>& body) {
+    run_parallel(executor, n, [&](uint32_t i) {
+      if (bdpt_cancel_is_requested(cancel)) throw RayScene::Cancelled();
+      body(i);
+    });
+  };
+  return burial;
+}
+
+[[noreturn]] void refuse_empty(const Subject& subject, const bdpt_lightmap_desc& desc, const TexelMap::Report& report) {
+  if (report.buried > 0)
+    subject.refuse("instances", "cover ", report.buried, " texels", desc.rect[2] ? " of rect" : "",
+                   ", and all are buried: see to the sides of the surfaces round them, flip, and backface_tolerance");
+  subject.refuse("instances", "cover no texel", desc.rect[2] ? " of rect" : "",
+                 ": see to their texture coordinates, scale and offset");
+}
+
 void report_unmeasured(const Log& log, const TexelMap::Report& report) {
   if (report.unmapped > 0)
     log.warning("lightmap: ", report.unmapped, " triangles have no area in the atlas and are not measured");
@@ -90,6 +121,16 @@ void report_unmeasured(const Log& log, const TexelMap::Report& report) {
     log.warning("lightmap: ", report.outside, " triangles reach out of the atlas; what lies outside is not measured");
   if (report.shared > 0)
     log.warning("lightmap: ", report.shared, " texels are shared by several instances, and measure the mean of all");
+}
+
+// One number of each texel, in rows; numbers may be NULL.
+template <class Of>
+void read_each(const TexelMap& texels, float* numbers, uint64_t capacity, Of&& of) {
+  const uint64_t needed = uint64_t(texels.width()) * uint64_t(texels.height());
+  if (capacity < needed) fail(ErrorCode::InvalidArgument, "capacity is ", capacity, " floats: ", needed, " are needed");
+  if (!numbers) return;
+  for (int y = 0; y < texels.height(); ++y)
+    for (int x = 0; x < texels.width(); ++x) *numbers++ = of(x, y);
 }
 
 }  // namespace
@@ -104,14 +145,12 @@ bdpt_result bdpt_lightmap_create(bdpt_scene* scene, const bdpt_lightmap_desc* de
     const AtlasStack size = read_size(subject, d);
     const PixelRect rect = read_rect(subject, "rect", d.rect, size.width, size.height * size.count);
     subject.check_flag("geometric_normals", d.geometric_normals);
-    subject.check_reserved("reserved", d.reserved);
+    const BurialDesc burial = read_burial(subject, d, *scene->context->executor);
     const auto instances = read_instances(subject, d, *scene->scene, size);
     const auto outputs = read_outputs(subject, d.outputs, d.output_count, d.output_stride, OutputKind::Irradiance);
     const auto lightmap = std::make_shared<const Lightmap>(scene->scene, instances, size, rect, outputs,
-                                                           d.geometric_normals != 0, scene->context->meter);
-    if (lightmap->count() == 0)
-      subject.refuse("instances", "cover no texel", d.rect[2] ? " of rect" : "",
-                     ": see to their texture coordinates, scale and offset");
+                                                           d.geometric_normals != 0, burial, scene->context->meter);
+    if (lightmap->count() == 0) refuse_empty(subject, d, lightmap->texels().report());
     report_unmeasured(*scene->context->log, lightmap->texels().report());
     auto object = std::make_unique<bdpt_sensor>();
     object->context = scene->context;
@@ -135,6 +174,8 @@ bdpt_result bdpt_lightmap_get_info(const bdpt_sensor* sensor, bdpt_lightmap_info
     i.triangles_outside = report.outside;
     i.area = report.area;
     i.area_outside = report.area_outside;
+    i.texels_buried = report.buried;
+    i.area_buried = report.area_buried;
     write_struct(i, info);
   });
 }
@@ -142,14 +183,15 @@ bdpt_result bdpt_lightmap_get_info(const bdpt_sensor* sensor, bdpt_lightmap_info
 bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor* sensor, float* coverage, float* area, uint64_t capacity) {
   return guard(__func__, [&] {
     const TexelMap& texels = lightmap_of(sensor).texels();
-    const uint64_t needed = uint64_t(texels.width()) * uint64_t(texels.height());
-    if (capacity < needed)
-      fail(ErrorCode::InvalidArgument, "capacity is ", capacity, " floats: ", needed, " are needed");
-    for (int y = 0; y < texels.height(); ++y)
-      for (int x = 0; x < texels.width(); ++x) {
-        const size_t i = size_t(y) * size_t(texels.width()) + size_t(x);
-        if (coverage) coverage[i] = texels.coverage(x, y);
-        if (area) area[i] = texels.area(x, y);
-      }
+    read_each(texels, coverage, capacity, [&](int x, int y) { return texels.coverage(x, y); });
+    read_each(texels, area, capacity, [&](int x, int y) { return texels.area(x, y); });
+  });
+}
+
+bdpt_result bdpt_lightmap_read_buried(const bdpt_sensor* sensor, float* buried, uint64_t capacity) {
+  return guard(__func__, [&] {
+    const TexelMap& texels = lightmap_of(sensor).texels();
+    require(buried, "buried");
+    read_each(texels, buried, capacity, [&](int x, int y) { return texels.buried(x, y); });
   });
 }

@@ -15,7 +15,7 @@ class Lightmap final : public Sensor {
  public:
   Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
            const PixelRect& subset, const std::vector<OutputDesc>& outputs, bool geometric_normals,
-           const std::shared_ptr<MemoryMeter>& meter);
+           const BurialDesc& burial, const std::shared_ptr<MemoryMeter>& meter);
 
   const TexelMap& texels() const { return texels_; }
 
