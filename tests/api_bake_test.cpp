@@ -82,7 +82,7 @@ TEST(ApiBake, LightmapFieldsAreChecked) {
   refused([](Asked& a) { a.instances[0].offset[0] = 2; });  // nothing within the atlas
   refused([&](Asked& a) { a.instances[0].instance = world.contents.thing; });
   EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "sphere")) << bdpt_last_error();
-  refused([](Asked& a) { a.add(BDPT_OUTPUT_FRONTS + 1); });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_UNSHADOWED + 1); });
   refused([](Asked& a) { a.add(BDPT_OUTPUT_FLUENCE, 3); });
   refused([](Asked& a) { a.add(0), a.outputs[0].reach = -1; });
   refused([](Asked& a) { a.outputs.assign(200, make<bdpt_output_desc>()), a.outputs[0].struct_size = 3; });

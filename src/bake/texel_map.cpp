@@ -82,7 +82,7 @@ void TexelMap::each_part(const PixelRect& subset, Visit&& visit) const {
       const double density = scene_.triangle_area(p.instance, primitive) / bdpt::area(uv);
       rasterize(uv, kept, [&](int64_t x, int64_t y, const TexelPolygon& polygon) {
         const double in_atlas = polygon.area();
-        visit(placed, primitive, texel(int(x), int(y)), in_atlas, in_atlas * density);
+        visit(placed, primitive, texel(int(x) - window_.x0, int(y) - window_.y0), in_atlas, in_atlas * density);
       });
     }
   }
@@ -112,27 +112,45 @@ void TexelMap::report_unmeasured() {
   }
 }
 
-TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
-                   const PixelRect& subset, const BurialDesc& burial, const std::shared_ptr<MemoryMeter>& meter)
-    : scene_(scene), instances_(instances), size_(size), by_instance_(scene.instance_count(), -1) {
+TexelMap::TexelMap(const Scene& scene, const LightmapDesc& desc)
+    : scene_(scene),
+      instances_(desc.instances),
+      size_(desc.size),
+      window_(desc.window()),
+      by_instance_(scene.instance_count(), -1) {}
+
+uint64_t TexelMap::bytes_for(uint64_t texels, uint64_t fragments, bool with_chi) {
+  constexpr uint64_t kTexel = sizeof(uint64_t) + 4 * sizeof(uint32_t), kChi = sizeof(uint64_t);
+  return texels * (kTexel + (with_chi ? sizeof(float) : 0)) + fragments * (sizeof(Fragment) + (with_chi ? kChi : 0));
+}
+
+std::vector<uint64_t> TexelMap::count_fragments(const Scene& scene, const LightmapDesc& desc) {
+  const TexelMap map(scene, desc);
+  std::vector<uint64_t> rows(uint64_t(map.height()));
+  map.each_part(desc.subset, [&](uint32_t, uint32_t, size_t i, double, double) { ++rows[i / size_t(map.width())]; });
+  return rows;
+}
+
+TexelMap::TexelMap(const Scene& scene, const LightmapDesc& desc, const std::shared_ptr<MemoryMeter>& meter)
+    : TexelMap(scene, desc) {
   for (uint32_t placed = 0; placed < instances_.size(); ++placed)
     by_instance_[instances_[placed].instance] = int(placed);
   report_unmeasured();
 
   const size_t texels = size_t(width()) * size_t(height());
-  constexpr size_t kBytes = sizeof(uint64_t) + 4 * sizeof(uint32_t);
-  booking_ = Booking(meter, texels * kBytes, "the lightmap's texels");
+  const bool with_chi = desc.burial.rays > 0;
+  booking_ = Booking(meter, bytes_for(texels, 0, with_chi), "the lightmap's texels");
   first_.assign(texels + 1, 0);
   areas_.assign(texels, 0);
   coverage_.assign(texels, 0);
   numbers_.assign(texels, -1);
-  each_part(subset, [&](uint32_t, uint32_t, size_t i, double, double) { ++first_[i + 1]; });
+  each_part(desc.subset, [&](uint32_t, uint32_t, size_t i, double, double) { ++first_[i + 1]; });
   for (size_t i = 0; i < texels; ++i) first_[i + 1] += first_[i];
-  fragments_booking_ = Booking(meter, first_[texels] * sizeof(Fragment), "the lightmap's triangles");
+  fragments_booking_ = Booking(meter, bytes_for(0, first_[texels], with_chi), "the lightmap's triangles");
   fragments_.resize(first_[texels]);
   std::vector<uint32_t> filled(texels, 0);
   std::vector<double> covered(texels, 0);
-  each_part(subset, [&](uint32_t placed, uint32_t primitive, size_t i, double in_atlas, double in_world) {
+  each_part(desc.subset, [&](uint32_t placed, uint32_t primitive, size_t i, double in_atlas, double in_world) {
     const uint64_t place = first_[i] + filled[i]++;
     fragments_[place] = {placed, primitive, in_world + (place == first_[i] ? 0 : fragments_[place - 1].until)};
     covered[i] += in_atlas;
@@ -142,7 +160,7 @@ TexelMap::TexelMap(const Scene& scene, const std::vector<LightmapInstance>& inst
     areas_[i] = float(fragments_[first_[i + 1] - 1].until);
     coverage_[i] = float(covered[i]);
   }
-  if (burial.rays > 0) bury(burial, meter);
+  if (with_chi) bury(desc.burial);
   for (size_t i = 0; i < texels; ++i) {
     if (!(areas_[i] > 0)) continue;
     const Fragment& last = fragments_[first_[i + 1] - 1];
@@ -158,16 +176,16 @@ void TexelMap::each_cell(const Fragment& fragment, int x, int y, Visit&& visit) 
   UvTriangle uv;
   triangle(instances_[fragment.placed], fragment.primitive, uv);
   for (Vec2d& corner : uv) corner *= kCells;
-  const TexelRect cells{int64_t(x) * kCells, int64_t(y) * kCells, int64_t(x + 1) * kCells, int64_t(y + 1) * kCells};
+  const int64_t left = int64_t(x + window_.x0) * kCells, top = int64_t(y + window_.y0) * kCells;
+  const TexelRect cells{left, top, left + kCells, top + kCells};
   rasterize(uv, cells, [&](int64_t cx, int64_t cy, const TexelPolygon& polygon) {
     visit(uint64_t(1) << ((cy - cells.y0) * kCells + (cx - cells.x0)), polygon);
   });
 }
 
 // Finds chi, and takes what is buried out of the areas.
-void TexelMap::bury(const BurialDesc& desc, const std::shared_ptr<MemoryMeter>& meter) {
+void TexelMap::bury(const BurialDesc& desc) {
   const size_t texels = areas_.size();
-  chi_booking_ = Booking(meter, fragments_.size() * sizeof(uint64_t) + texels * sizeof(float), "the lightmap's chi");
   chi_.assign(fragments_.size(), kOpen);
   buried_.assign(texels, 0);
   const Burial burial(scene_, desc);
@@ -279,13 +297,15 @@ TexelMap::Point TexelMap::sample(int x, int y, double u0, float u1) const {
   u0 = std::clamp((u0 * whole - before) / part, 0.0, 0x1.fffffffffffffp-1);
   UvTriangle uv;
   triangle(instances_[f->placed], f->primitive, uv);
+  const int column = x + window_.x0, row = y + window_.y0;
   Vec2d p;
   if (const uint64_t chi = chi_.empty() ? kOpen : chi_[size_t(f - fragments_.data())]; chi != kOpen) {
     p = sample_open(*f, chi, x, y, u0, u1);
   } else {
-    const TexelPolygon polygon = part_in_texel(uv, x, y);
+    const TexelPolygon polygon = part_in_texel(uv, column, row);
     // A texel that is covered whole keeps its strata.
-    p = polygon.count == 4 && polygon.area() == 1 ? Vec2d(x + u0, y + double(u1)) : sample_polygon(polygon, u0, u1);
+    p = polygon.count == 4 && polygon.area() == 1 ? Vec2d(column + u0, row + double(u1))
+                                                  : sample_polygon(polygon, u0, u1);
   }
   const Vec2d b = barycentric(uv, p);
   const double u = std::clamp(b.x, 0.0, 1.0), v = std::clamp(b.y, 0.0, 1 - u);
@@ -300,7 +320,8 @@ bool TexelMap::find(uint32_t index, uint32_t primitive, float u, float v, int& x
   const TexelRect atlas = rows_of(size_, placed.atlas);
   const int64_t column = int64_t(std::floor(point.x)), row = int64_t(std::floor(point.y));
   if (column < atlas.x0 || column >= atlas.x1 || row < atlas.y0 || row >= atlas.y1) return false;
-  x = int(column), y = int(row);
+  if (column < window_.x0 || column >= window_.x1 || row < window_.y0 || row >= window_.y1) return false;
+  x = int(column) - window_.x0, y = int(row) - window_.y0;
   return area(x, y) > 0 && (chi_.empty() || is_open(index, primitive, point, texel(x, y)));
 }
 

@@ -28,6 +28,19 @@ struct AtlasStack {
   int width = 1, height = 1, count = 1;
 };
 
+// The texels that a lightmap measures.
+struct LightmapDesc {
+  std::vector<LightmapInstance> instances;
+  AtlasStack size;
+  PixelRect subset;           // the texels to keep, in rows of all atlases
+  bool film_of_rect = false;  // the film has these texels alone
+  BurialDesc burial = {};
+  bool geometric_normals = false;
+
+  // What the film has.
+  PixelRect window() const { return film_of_rect ? subset : PixelRect{0, 0, size.width, size.height * size.count}; }
+};
+
 class TexelMap {
  public:
   // A point of a surface.
@@ -47,12 +60,16 @@ class TexelMap {
     double area_buried = 0;   // of the surface left out for being buried
   };
 
-  // subset: the texels to keep, in rows of all atlases.
-  TexelMap(const Scene& scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
-           const PixelRect& subset, const BurialDesc& burial, const std::shared_ptr<MemoryMeter>& meter);
+  TexelMap(const Scene& scene, const LightmapDesc& desc, const std::shared_ptr<MemoryMeter>& meter);
+  // What the meter would count for so many texels and fragments of theirs.
+  static uint64_t bytes_for(uint64_t texels, uint64_t fragments, bool with_chi);
+  // How many fragments each row has of a map that was not made.
+  static std::vector<uint64_t> count_fragments(const Scene& scene, const LightmapDesc& desc);
 
-  int width() const { return size_.width; }
-  int height() const { return size_.height * size_.count; }
+  // Texels are told by their place in the window.
+  const PixelRect& window() const { return window_; }
+  int width() const { return window_.width(); }
+  int height() const { return window_.y1 - window_.y0; }
   const Report& report() const { return report_; }
   const LightmapInstance& placed(uint32_t i) const { return instances_[i]; }
   // A_j; 0 where a texel covers no surface.
@@ -64,7 +81,7 @@ class TexelMap {
   // The number of a texel among those that cover some surface; -1 for others.
   int64_t number(int x, int y) const { return numbers_[texel(x, y)]; }
   void find(uint64_t number, int& x, int& y) const {
-    x = int(covered_[number] % uint32_t(size_.width)), y = int(covered_[number] / uint32_t(size_.width));
+    x = int(covered_[number] % uint32_t(width())), y = int(covered_[number] / uint32_t(width()));
   }
   // A point of what texel (x, y) covers, uniform by area.
   Point sample(int x, int y, double u0, float u1) const;
@@ -78,11 +95,12 @@ class TexelMap {
     uint32_t placed, primitive;
     double until;  // area of the texel's fragments up to this one
   };
-  size_t texel(int x, int y) const { return size_t(y) * size_t(size_.width) + size_t(x); }
+  TexelMap(const Scene& scene, const LightmapDesc& desc);
+  size_t texel(int x, int y) const { return size_t(y) * size_t(width()) + size_t(x); }
   template <class Visit>
   void each_part(const PixelRect& subset, Visit&& visit) const;
   void report_unmeasured();
-  void bury(const BurialDesc& burial, const std::shared_ptr<MemoryMeter>& meter);
+  void bury(const BurialDesc& burial);
   double bury_row(const Burial& burial, int y);
   double bury_closed(int x, int y);
   // The parts of a fragment in cells, in eighths of texels: visit(bit of chi, polygon).
@@ -96,6 +114,7 @@ class TexelMap {
   const Scene& scene_;
   std::vector<LightmapInstance> instances_;
   AtlasStack size_;
+  PixelRect window_;
   std::vector<int> by_instance_;
   std::vector<uint64_t> first_;  // fragment of each texel, and one more
   std::vector<Fragment> fragments_;
@@ -104,7 +123,7 @@ class TexelMap {
   std::vector<int32_t> numbers_;
   std::vector<uint32_t> covered_;  // texels by their numbers
   Report report_;
-  Booking booking_, fragments_booking_, chi_booking_;
+  Booking booking_, fragments_booking_;
 };
 
 }  // namespace bdpt
