@@ -155,14 +155,15 @@ TEST(ApiBakeBands, BandsHaveTheBitsOfTheWhole) {
           << "rows from " << first << ", plane " << plane;
     }
   }
-  // One row more than fits does not.
-  EXPECT_EQ(rows, map.estimate(world).band_rows);
-  Map more(world, kWidth, kHeight);
-  more.band(0, rows);
-  const uint64_t exact = more.estimate(world).total;
-  Map all(world, kWidth, kHeight);
-  EXPECT_EQ(rows, all.estimate(world, exact).band_rows);
-  EXPECT_EQ(rows - 1, all.estimate(world, exact - 1).band_rows);
+  // No band of so many rows takes more, and one of them takes it all.
+  uint64_t most = 0;
+  for (uint32_t first = 0; first + rows <= kHeight; ++first) {
+    map.band(first, first + rows);
+    most = std::max(most, map.estimate(world).total);
+  }
+  const Map all(world, kWidth, kHeight);
+  EXPECT_EQ(rows, all.estimate(world, most).band_rows);
+  EXPECT_EQ(rows - 1, all.estimate(world, most - 1).band_rows);
   EXPECT_EQ(0u, all.estimate(world, 1).band_rows);
 }
 
@@ -178,7 +179,7 @@ TEST(ApiBakeBands, APartMeasuresTheSameWithLightSubpaths) {
     EXPECT_OK(advance(make_render(world.scene.get(), sensor.get(), film.get()).get(), n));
     return pixels_of(film.get());
   };
-  const std::vector<float> a = bake(whole, 2000), b = bake(part, 2000);
+  const std::vector<float> a = bake(whole, 4000), b = bake(part, 4000);
   ASSERT_EQ(b.size(), 3u * 6 * 5);
   const Sensor sensor = part.create(world);
   bdpt_lightmap_info info = make<bdpt_lightmap_info>();
@@ -193,7 +194,7 @@ TEST(ApiBakeBands, APartMeasuresTheSameWithLightSubpaths) {
   for (size_t y = 0; y < 5; ++y)
     for (size_t x = 0; x < 6; ++x) {
       const double whole_value = double(a[3 * (12 * (y + 3) + x + 5)]), value = double(b[3 * (6 * y + x)]);
-      EXPECT_NEAR(1, value / whole_value, 0.05) << x << ", " << y;
+      EXPECT_NEAR(1, value / whole_value, 0.08) << x << ", " << y;
     }
 }
 

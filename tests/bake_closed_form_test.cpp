@@ -292,7 +292,7 @@ TEST(BakeClosedForm, UnshadowedIsShadowedInTheOpen) {
   OutputDesc unshadowed{OutputKind::Unshadowed}, direct{OutputKind::Irradiance};
   direct.indirect = false;
   const SensorPointer map = lightmap(scene, 4, {placed(0)}, {unshadowed, direct});
-  const SensorPointer flat = points({{Vec3(0), Vec3(0, 1, 0)}}, {unshadowed, direct});
+  const SensorPointer flat = points({{Vec3(0, 0.01f, 0), Vec3(0, 1, 0)}}, {unshadowed, direct});
   for (const SensorPointer& sensor : {map, flat})
     for (const char* plan : {"one-to-one", "two-way"}) {
       // By direct lighting alone the samples are the same: each texel's values are, but for rounding.
