@@ -465,6 +465,20 @@ typedef struct bdpt_scene_info {
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *info. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_scene_get_info(const bdpt_scene *scene, bdpt_scene_info *info);
 
+/* One of a scene's lights: a light, or an instance of a material that emits. */
+typedef struct bdpt_scene_light {
+  uint32_t struct_size;
+  uint32_t group;            /* of the light, or of the material's emission */
+  bdpt_light_id light;       /* zero for an instance */
+  bdpt_instance_id instance; /* zero for a light */
+  const char *label;         /* empty where it has none; the scene's, valid while it lives */
+} bdpt_scene_light;
+
+/* Tells what light `index` is, below bdpt_scene_info.lights: lights first, then instances, each in the order of adding.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *light; the label
+ * is the scene's. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_scene_get_light(const bdpt_scene *scene, uint32_t index, bdpt_scene_light *light);
+
 /* ---------------------------------------------------------------------------------------------------------------
  * Sensors
  */
@@ -512,6 +526,12 @@ typedef int32_t bdpt_output_kind;
 #define BDPT_OUTPUT_OPENNESS_SH2 10      /* 9 planes */
 #define BDPT_OUTPUT_FRONTS 11            /* 1 plane: the part of all rays that do not meet the back of a one-sided surface:
                                             near 0 inside of closed meshes */
+/* Light again. */
+#define BDPT_OUTPUT_UNSHADOWED 12        /* 1 plane: the direct part of E as if nothing were in its way [W/m²]; of all lights,
+                                            found by direct lighting alone whatever techniques take part: costs no ray. A
+                                            shadow mask of group g is IRRADIANCE with BDPT_LIGHT_PATHS_DIRECT over this, both
+                                            of group g; 1 where both are 0 */
+#define BDPT_OUTPUT_NONE (-1)            /* bdpt_plane_info: a camera's pixels, or a measurement of your own */
 /* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
  * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
  * 0.546274 (x² - y²). */
@@ -528,6 +548,23 @@ typedef struct bdpt_output_desc {
   float reach;     /* of openness: lengths beyond which nothing counts, >= 0; 0 = without end */
   uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
 } bdpt_output_desc;
+
+/* What a plane of the film measures. With bdpt_scene_get_light it tells which lights are in it: those whose group's bit is
+ * set in groups. A host that draws them at run time must not add them again. */
+typedef struct bdpt_plane_info {
+  uint32_t struct_size;
+  bdpt_output_kind kind;  /* BDPT_OUTPUT_NONE for a sensor without outputs */
+  bdpt_light_paths paths;
+  float reach;            /* of openness; 0 = without end */
+  uint64_t groups;        /* bit g: light of group g; 0: of none, as for openness */
+  uint32_t output;        /* of those asked for */
+  uint32_t coefficient;   /* plane within the output, as of spherical harmonics */
+  uint64_t reserved;
+} bdpt_plane_info;
+
+/* Tells what plane `plane` of a sensor's films measures.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *info. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_sensor_get_plane(const bdpt_sensor *sensor, uint32_t plane, bdpt_plane_info *info);
 
 /* An instance and its place in an atlas. */
 typedef struct bdpt_lightmap_instance {
@@ -554,22 +591,33 @@ typedef struct bdpt_lightmap_desc {
                                 light subpaths gives them the bits of the whole bake; with light subpaths, of which a
                                 pass has one for each texel, the same measurements but other noise */
   uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
+  uint32_t buried_rays;      /* 0 = off; else [1,4096], 16 will do: so many rays from each of 8 x 8 cells of each texel find
+                                what is buried, inside of geometry; it is not measured at all: no part of E_j and A_j */
+  float backface_tolerance;  /* a cell is buried where more than this part of its rays, spread by the cosine, meets the
+                                back of a surface first: (0,1); 0 = 0.5 */
+  uint32_t all_backs;        /* whose backs: 0: of one-sided surfaces; 1: of all but dielectrics */
+  const bdpt_cancel *cancel; /* stops the search for what is buried, which takes some ten seconds for 1024 x 1024 texels on
+                                two cores; may be NULL */
+  uint32_t film_of_rect;     /* 1: the film holds the texels of rect alone, its (0,0) being (x0,y0), and so does the sensor's
+                                memory: a map is baked in bands, with the same bits as with 0 */
   uint32_t reserved;
 } bdpt_lightmap_desc;
 
 /* Creates a lightmap. A texel measures the mean over all of the surface that it covers, by area: E_j = 1/A_j INT E dA, so
  * that the sum of A_j E_j (with geometric normals) is the light that falls on the surface, to the last ray. Where several
  * surfaces share a texel the mean is over all of them. Triangles without area in the atlas, and what lies outside of it,
- * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel covered),
- * _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them. With buried_rays,
+ * floors that run on under walls are not darkened there: whether a cell counts is found once, and holds for eye and light
+ * subpaths alike.
+ * Returns: BDPT_CANCELLED; BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel
+ * covered, all of them buried), _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
  * Source: Veach (1997), 10.6; the measurement functions are those of docs/baking.md. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_create(bdpt_scene *scene, const bdpt_lightmap_desc *desc, bdpt_sensor **sensor);
 
 typedef struct bdpt_lightmap_info {
   uint32_t struct_size;
-  uint32_t width, height;      /* of the film: of all atlases together */
+  uint32_t width, height;      /* of the film: of all atlases together, or of rect with film_of_rect */
   uint32_t reserved;
   uint64_t texels;             /* that cover some surface: samples of a pass */
   uint64_t texels_shared;      /* of these, by more than one instance */
@@ -577,6 +625,8 @@ typedef struct bdpt_lightmap_info {
   uint64_t triangles_outside;  /* that reach out of the atlas */
   double area;                 /* of the surface measured, in the world */
   double area_outside;         /* of what lies outside of the atlas */
+  uint64_t texels_buried;      /* that cover surface, but all of it buried: not among texels */
+  double area_buried;          /* of what is left out for being buried, in the world */
 } bdpt_lightmap_info;
 
 /* Tells what a lightmap covers.
@@ -589,6 +639,11 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_get_info(const bdpt_sensor *sensor
  * that of each.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sensor, float *coverage, float *area, uint64_t capacity);
+
+/* Reads, for each texel in rows, the part of it whose surfaces are buried, by area in the atlas; bdpt_lightmap_read_texels
+ * tells of what is left. Zeros where desc.buried_rays was 0. capacity is in floats.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_buried(const bdpt_sensor *sensor, float *buried, uint64_t capacity);
 
 typedef struct bdpt_point {
   float position[3];
@@ -624,8 +679,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const 
  * The functions are called from all threads that render, at the same time, each with n >= 1 at once. They must be pure:
  * their results depend on nothing but their arguments. They return 0; any other value stops the call, which returns
  * BDPT_ERROR_CALLBACK_FAILED, and the pass in hand is lost. What is not finite, a density that is not above 0, or a
- * direction that is not unit or points away from its normal, is counted in bdpt_render_stats.rejected, or where it was
- * found in the film in bdpt_film_info.rejected, and left out. */
+ * direction that is not unit or points away from its normal, is counted in bdpt_film_info.rejected and left out;
+ * BDPT_LAYER_REJECTED tells of which measurements. */
 
 /* Where a measurement begins. */
 typedef struct bdpt_measurement_start {
@@ -735,6 +790,32 @@ BDPT_API void bdpt_film_retain(bdpt_film *film);
 /* Takes a reference. Returns: nothing. Threads: any thread. Callbacks: allowed. Ownership: -1; NULL is ignored. */
 BDPT_API void bdpt_film_release(bdpt_film *film);
 
+/* Bytes, as the context's memory_limit counts them. */
+typedef struct bdpt_memory_estimate {
+  uint32_t struct_size;
+  uint32_t band_rows; /* of bdpt_lightmap_estimate */
+  uint64_t sensor;    /* of a sensor that is not there yet */
+  uint64_t film;
+  uint64_t render;    /* of a render with default options; plans with a pool, and the light tree, take more */
+  uint64_t total;
+} bdpt_memory_estimate;
+
+/* Tells what a film and its render will take, before there is one. desc may be NULL. sensor of the estimate is 0: it is
+ * there.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *estimate. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_estimate(const bdpt_sensor *sensor, const bdpt_film_desc *desc,
+                                                   bdpt_memory_estimate *estimate);
+
+/* The same for a lightmap that is not there yet, and its film; film may be NULL. band_rows: bake the map in bands of so many
+ * rows of desc.rect, each a lightmap with film_of_rect, and no band needs more than budget bytes, wherever it begins; all
+ * rows if all fit, 0 if one is too many. budget 0 = what is left of the context's memory_limit. Cuts all triangles into
+ * texels once, which takes time but no memory.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: copies into *estimate. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_estimate(bdpt_scene *scene, const bdpt_lightmap_desc *desc,
+                                                       const bdpt_film_desc *film, uint64_t budget,
+                                                       bdpt_memory_estimate *estimate);
+
 typedef struct bdpt_film_info {
   uint32_t struct_size;
   uint32_t width, height;  /* of the region measured: that of the crop window */
@@ -749,7 +830,8 @@ typedef struct bdpt_film_info {
   uint64_t seed;           /* of the render that filled it; 0 while empty */
   uint64_t scene_hash;     /* 0 while empty */
   uint64_t options_hash;   /* of sensor, film and render options; 0 while empty */
-  uint64_t rejected;       /* contributions that were not finite or too large for the film, and were left out */
+  uint64_t rejected;       /* contributions that were not finite or too large for the film, and were left out; in its
+                              passes, those of the render's statistics included. BDPT_LAYER_REJECTED tells where */
   double relative_error;   /* square root of the relative variance, averaged over the measurements of plane 0:
                               var / (mean² + 0.01 M²) with M the mean of the image; -1 while unknown (fewer than two
                               groups hold passes) */
@@ -770,6 +852,8 @@ typedef int32_t bdpt_layer;
 #define BDPT_LAYER_VARIANCE 3  /* 3 channels: the variance of COLOR (of the mean, not of one sample), from the groups;
                                   with two groups it has one degree of freedom: average it over a neighbourhood */
 #define BDPT_LAYER_TECHNIQUE 4 /* 3 channels: the weighted contribution of technique (s,t) of the pyramid */
+#define BDPT_LAYER_REJECTED 5  /* 3 channels alike: how many contributions to the pixel, in any plane, were left out, not
+                                  being finite or being too large; whole samples of your own measurements count as one */
 
 typedef struct bdpt_read_desc {
   uint32_t struct_size;

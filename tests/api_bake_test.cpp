@@ -1,6 +1,7 @@
 // Lightmaps and points by the C ABI: what is refused, what they tell, and that they measure.
 #include "api_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -63,7 +64,12 @@ TEST(ApiBake, LightmapFieldsAreChecked) {
   refused([](Asked& a) { a.desc.rect[2] = 4; });
   refused([](Asked& a) { a.desc.rect[2] = 9, a.desc.rect[3] = 8; });
   refused([](Asked& a) { a.desc.geometric_normals = 2; });
-  refused([](Asked& a) { a.desc.reserved = 1; });
+  refused([](Asked& a) { a.desc.buried_rays = 4097; });
+  refused([](Asked& a) { a.desc.buried_rays = 1, a.desc.backface_tolerance = 1; });
+  refused([](Asked& a) { a.desc.buried_rays = 1, a.desc.backface_tolerance = kNan; });
+  refused([](Asked& a) { a.desc.backface_tolerance = 0.5f; });
+  refused([](Asked& a) { a.desc.buried_rays = 1, a.desc.all_backs = 2; });
+  refused([](Asked& a) { a.desc.all_backs = 1; });
   refused([](Asked& a) { a.desc.instance_stride = 12; });
   refused([](Asked& a) { a.instances.clear(); });
   refused([](Asked& a) { a.instances.push_back(a.instances[0]); });
@@ -76,7 +82,7 @@ TEST(ApiBake, LightmapFieldsAreChecked) {
   refused([](Asked& a) { a.instances[0].offset[0] = 2; });  // nothing within the atlas
   refused([&](Asked& a) { a.instances[0].instance = world.contents.thing; });
   EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "sphere")) << bdpt_last_error();
-  refused([](Asked& a) { a.add(BDPT_OUTPUT_FRONTS + 1); });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_UNSHADOWED + 1); });
   refused([](Asked& a) { a.add(BDPT_OUTPUT_FLUENCE, 3); });
   refused([](Asked& a) { a.add(0), a.outputs[0].reach = -1; });
   refused([](Asked& a) { a.outputs.assign(200, make<bdpt_output_desc>()), a.outputs[0].struct_size = 3; });
@@ -147,6 +153,61 @@ TEST(ApiBake, ALightmapTellsWhatItCovers) {
   const bdpt_film_info film = info_of(make_film(sensor.get()).get());
   EXPECT_EQ(8u, film.measured);
   EXPECT_EQ(1u, film.planes);
+}
+
+// The floor under a house of one-sided walls, a lid of 1.5 x 1.5 on four of them, is left out, whatever the threads.
+TEST(ApiBake, WhatIsBuriedIsToldAndLeftOut) {
+  const auto create = [](uint32_t threads, uint32_t rays) {
+    bdpt_context_desc context = make<bdpt_context_desc>();
+    context.threads = threads;
+    World world(&context);
+    bdpt_builder* b = world.builder.get();
+    bdpt_material_desc wall = grey_desc();
+    wall.one_sided = 1;
+    bdpt_material_id one_sided{};
+    EXPECT_OK(bdpt_material_add(b, &wall, &one_sided));
+    const float box[8][3] = {{-3.1f, -1, -3.1f}, {-1.5f, -1, -3.1f}, {-3.1f, 1, -3.1f}, {-1.5f, 1, -3.1f},
+                             {-3.1f, -1, -1.5f}, {-1.5f, -1, -1.5f}, {-3.1f, 1, -1.5f}, {-1.5f, 1, -1.5f}};
+    const uint32_t triangles[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 4, 2}, {4, 6, 2},
+                                       {1, 3, 5}, {3, 7, 5}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}};
+    bdpt_mesh_desc mesh = make<bdpt_mesh_desc>();
+    mesh.positions = view(box, 8, BDPT_FORMAT_FLOAT3), mesh.indices = view(triangles, 12, BDPT_FORMAT_UINT32X3);
+    bdpt_shape_id house{};
+    EXPECT_OK(bdpt_mesh_add(b, &mesh, &house));
+    add_instance(b, house, one_sided);
+    world.scene = build(b);
+    return lightmap(world, [&](Asked& a) { a.desc.buried_rays = rays; });
+  };
+  std::vector<float> first;
+  for (const uint32_t threads : {1u, 2u}) {
+    const Sensor sensor = create(threads, 16);
+    bdpt_lightmap_info info = make<bdpt_lightmap_info>();
+    ASSERT_OK(bdpt_lightmap_get_info(sensor.get(), &info));
+    EXPECT_EQ(60u, info.texels);  // of 64, each 0.75 wide
+    EXPECT_EQ(4u, info.texels_buried);
+    EXPECT_NEAR(36 - 2.25, info.area, 1e-4);
+    EXPECT_NEAR(2.25, info.area_buried, 1e-4);
+    std::vector<float> buried(64), coverage(64);
+    ASSERT_OK(bdpt_lightmap_read_buried(sensor.get(), buried.data(), 64));
+    ASSERT_OK(bdpt_lightmap_read_texels(sensor.get(), coverage.data(), nullptr, 64));
+    for (uint32_t i = 0; i < 64; ++i) EXPECT_NEAR(1, coverage[i] + buried[i], 1e-6);
+    EXPECT_EQ(4, std::count(buried.begin(), buried.end(), 1.0f));
+    if (first.empty()) first = buried;
+    EXPECT_EQ(first, buried);
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_lightmap_read_buried(sensor.get(), buried.data(), 63));
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_lightmap_read_buried(sensor.get(), nullptr, 64));
+  }
+  const Cancel cancel = make_cancel();
+  bdpt_cancel_request(cancel.get());
+  const World world;
+  Asked asked(world);
+  asked.desc.buried_rays = 1, asked.desc.cancel = cancel.get();
+  bdpt_sensor* none = nullptr;
+  EXPECT_EQ(BDPT_CANCELLED, asked.create(world.scene.get(), &none));
+  EXPECT_EQ(nullptr, none);
+  std::vector<float> buried(64, 1);
+  ASSERT_OK(bdpt_lightmap_read_buried(create(1, 0).get(), buried.data(), 64));
+  EXPECT_EQ(std::vector<float>(64), buried);
 }
 
 // A texel of the floor and a point above its middle agree, output by output.

@@ -170,8 +170,12 @@ TEST_F(ApiCustom, WhatIsNotFiniteIsCountedAndStaysWhereItIs) {
     ASSERT_OK(advance(render.get(), 64));
     bdpt_render_stats stats = make<bdpt_render_stats>();
     ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
-    EXPECT_GE(stats.rejected + info_of(film.get()).rejected, 64u) << int(fault);
-    const std::vector<float> bad = pixels_of(film.get());
+    const uint64_t rejected = info_of(film.get()).rejected;
+    EXPECT_GE(rejected, 64u) << int(fault);
+    EXPECT_GE(rejected, stats.rejected) << int(fault);
+    const std::vector<float> bad = pixels_of(film.get()), where = pixels_of(film.get(), BDPT_LAYER_REJECTED, 1);
+    for (size_t i = 0; i < where.size(); ++i)
+      EXPECT_EQ(i / 3 == floor_.faulty ? float(rejected) : 0, where[i]) << int(fault) << ", " << i / 3;
     for (size_t i = 0; i < bad.size(); ++i) {
       EXPECT_TRUE(std::isfinite(bad[i]));
       if (i / 3 == floor_.faulty) continue;
@@ -192,7 +196,8 @@ TEST_F(ApiCustom, DensitiesThatAreNoneAreCountedAndStayWhereTheyAre) {
     bdpt_render_stats stats = make<bdpt_render_stats>();
     ASSERT_OK(bdpt_render_get_stats(render.get(), &stats));
     EXPECT_GT(stats.rejected, 0u) << int(fault);
-    const std::vector<float> bad = pixels_of(film.get());
+    const std::vector<float> bad = pixels_of(film.get()), where = pixels_of(film.get(), BDPT_LAYER_REJECTED);
+    EXPECT_EQ(float(info_of(film.get()).rejected), where[3 * floor_.faulty]) << int(fault);
     for (size_t i = 0; i < bad.size(); ++i) {
       EXPECT_TRUE(std::isfinite(bad[i]));
       if (i / 3 == floor_.faulty) continue;

@@ -151,6 +151,13 @@ TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
   });
   check<bdpt_lightmap_info>("bdpt_lightmap_info", 64, make<bdpt_lightmap_info>(),
                             [&](bdpt_lightmap_info* info) { return bdpt_lightmap_get_info(kept.get(), info); });
+  check<bdpt_plane_info>("bdpt_plane_info", 40, make<bdpt_plane_info>(),
+                         [&](bdpt_plane_info* info) { return bdpt_sensor_get_plane(kept.get(), 0, info); });
+  check<bdpt_scene_light>("bdpt_scene_light", 32, make<bdpt_scene_light>(),
+                          [&](bdpt_scene_light* l) { return bdpt_scene_get_light(world.scene.get(), 0, l); });
+  check<bdpt_memory_estimate>("bdpt_memory_estimate", 40, make<bdpt_memory_estimate>(), [&](bdpt_memory_estimate* e) {
+    return bdpt_lightmap_estimate(world.scene.get(), &lightmap, nullptr, 0, e);
+  });
   const bdpt_point point{{0, 1, 0}, {0, 1, 0}, 0, 0};
   bdpt_points_desc points = make<bdpt_points_desc>();
   points.count = 1, points.points = &point;
@@ -162,7 +169,7 @@ TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
   });
   bdpt_custom_desc custom = make<bdpt_custom_desc>();
   custom.measurements = 1;
-  custom.start = [](void*, uint32_t, const uint64_t*, const float (*)[4], bdpt_measurement_start*) { return 0; };
+  custom.start = [](void*, uint32_t, const uint64_t*, const float(*)[4], bdpt_measurement_start*) { return 0; };
   check<bdpt_custom_desc>("bdpt_custom_desc", 72, custom, [&](bdpt_custom_desc* d) {
     bdpt_sensor* sensor = nullptr;
     const bdpt_result result = bdpt_custom_create(world.context.get(), d, &sensor);

@@ -231,6 +231,86 @@ TEST(BakeClosedForm, OpennessUnderARoof) {
   }
 }
 
+// A lamp over a point, and a plane half way up that hides the half of it: E unshadowed is the whole lamp's, and the
+// mask the part of its form factor that is seen. Another lamp, of another group, counts where it is asked for alone.
+TEST(BakeClosedForm, UnshadowedLightAndTheMaskOfAHalfPlane) {
+  Builder b;
+  const auto lamp_at = [](float y, float z0, float z1) {
+    return scenes::quad(Vec3(-0.4f, y, z0), Vec3(0.6f, y, z0), Vec3(0.6f, y, z1), Vec3(-0.4f, y, z1));
+  };
+  Material second = scenes::emitter(Rgb(5));
+  second.emission_group = 1;
+  b.add(lamp_at(1, -0.5f, 0.3f), scenes::emitter(Rgb(3)));
+  b.add(lamp_at(2, -0.5f, 0.3f), second);  // all of it behind the first one's back
+  // From the point, its edge hides x < 0.1 of the first lamp.
+  b.add(scenes::quad(Vec3(-9, 0.5f, -9), Vec3(0.05f, 0.5f, -9), Vec3(0.05f, 0.5f, 9), Vec3(-9, 0.5f, 9)),
+        scenes::diffuse(0.5f));
+  const ScenePointer scene = b.build();
+  const auto factor = [](double x0, double x1, double y) {
+    const auto corner = [&](double x, double z) {
+      return (x < 0 ? -1 : 1) * (z < 0 ? -1 : 1) * corner_form_factor(std::fabs(x), std::fabs(z), y);
+    };
+    return corner(x1, 0.3) - corner(x0, 0.3) - corner(x1, -0.5) + corner(x0, -0.5);
+  };
+  OutputDesc unshadowed{OutputKind::Unshadowed}, direct{OutputKind::Irradiance};
+  unshadowed.groups = direct.groups = 1, direct.indirect = false;
+  OutputDesc behind = unshadowed, all = unshadowed;
+  behind.groups = 2, all.groups = ~0ull;
+  const SensorPointer point = points({{Vec3(0), Vec3(0, 1, 0)}}, {unshadowed, direct, behind, all});
+  std::vector<Way> ways = ways_of_direct();
+  ways.push_back(way_of_direct("t = 0", [](int, int t) { return t == 0; }));  // finds nothing here
+  for (const char* plan : {"two-way", "pooled", "matrix"}) ways.push_back({plan, with_plan(ways[2].options, plan)});
+  for (const auto selection : {LightSelection::Tree, LightSelection::Each}) {
+    ways.push_back(ways[2]);
+    ways.back().name = "selection";
+    TransportOptions& o = ways.back().options;
+    o.light_selection = selection, o.direct_samples = 2, o.direct_candidates = 3;
+  }
+  for (const Way& way : ways) {
+    expect_within(value_of(scene, point, way.options, 0, 32, 1024), 3 * M_PI * factor(-0.4, 0.6, 1), 2e-3, way.name);
+    expect_within(value_of(scene, point, way.options, 2, 32, 1024), 5 * M_PI * factor(-0.4, 0.6, 2), 2e-3, way.name);
+    expect_within(value_of(scene, point, way.options, 3, 32, 1024),
+                  M_PI * (3 * factor(-0.4, 0.6, 1) + 5 * factor(-0.4, 0.6, 2)), 2e-3, way.name);
+    if (way.name == "t = 0") continue;
+    const uint64_t passes = way.name == "s = 0" ? 8192 : 1024;
+    expect_within(value_of(scene, point, way.options, 1, 32, passes), 3 * M_PI * factor(0.1, 0.6, 1), 5e-3, way.name);
+  }
+}
+
+// Where nothing is in the way, the two are the same; with a sky, too, and by texels whose normals are not flat.
+TEST(BakeClosedForm, UnshadowedIsShadowedInTheOpen) {
+  Builder b;
+  scenes::MeshData floor =
+      scenes::unwrapped(scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1)), 1, 0);
+  for (const float x : {-0.3f, 0.3f, 0.3f, -0.3f}) floor.normals.push_back(unit(Vec3(x, 1, 0.1f)));
+  b.add(floor, scenes::diffuse(0.5f));
+  b.add(
+      scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f)),
+      scenes::emitter(Rgb(3)));
+  b.point(Vec3(0.8f, 0.5f, 0.2f), Rgb(0.3f));
+  const ScenePointer scene = b.build();
+  OutputDesc unshadowed{OutputKind::Unshadowed}, direct{OutputKind::Irradiance};
+  direct.indirect = false;
+  const SensorPointer map = lightmap(scene, 4, {placed(0)}, {unshadowed, direct});
+  const SensorPointer flat = points({{Vec3(0, 0.01f, 0), Vec3(0, 1, 0)}}, {unshadowed, direct});
+  for (const SensorPointer& sensor : {map, flat})
+    for (const char* plan : {"one-to-one", "two-way"}) {
+      // By direct lighting alone the samples are the same: each texel's values are, but for rounding.
+      const TransportOptions same = with_plan(options_for(only(1, 1), 1), plan);
+      const Picture p = render(scene, sensor, same, 64, 1);
+      const std::vector<float> a = read(*p.film), c = read(*p.film, FilmLayer::Color, 0, 0, 1);
+      for (size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(a[i], c[i], 2e-5 * double(a[i])) << plan << ", " << i;
+        EXPECT_TRUE(a[i] == 0 || a[i] > 0.1f) << a[i];
+      }
+    }
+  Builder sky;
+  sky.environment(Rgb(2));
+  const SensorPointer free = points({{Vec3(0), Vec3(0, 1, 0)}}, {unshadowed, direct});
+  for (const Way& way : ways_of_direct())
+    expect_within(value_of(sky.build(), free, way.options, 0, 32, 1024), 2 * M_PI, 2e-3, "sky by " + way.name);
+}
+
 // Two rooms, each 2 x 1 x 2 times a size, and a wall between them of twice `wall`. All walls of the left one emit
 // radiance 1; those of the right one, black, are mapped. slit: its width, from floor to ceiling; 0 = none.
 struct TwoRooms {

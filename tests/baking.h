@@ -18,9 +18,11 @@ inline LightmapInstance placed(uint32_t instance) {
 
 inline std::shared_ptr<const Lightmap> lightmap(const ScenePointer& scene, int side,
                                                 const std::vector<LightmapInstance>& instances = {placed(0)},
-                                                const std::vector<OutputDesc>& outputs = {OutputDesc{}}) {
-  return std::make_shared<const Lightmap>(scene, instances, AtlasStack{side, side, 1}, PixelRect{0, 0, side, side},
-                                          outputs, false, nullptr);
+                                                const std::vector<OutputDesc>& outputs = {OutputDesc{}},
+                                                const BurialDesc& burial = {}) {
+  LightmapDesc desc{instances, {side, side, 1}, {0, 0, side, side}};
+  desc.burial = burial;
+  return std::make_shared<const Lightmap>(scene, desc, outputs, nullptr);
 }
 
 inline std::shared_ptr<const Points> points(const std::vector<MeasuredPoint>& places,

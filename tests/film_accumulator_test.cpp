@@ -110,6 +110,52 @@ TEST(FilmAccumulator, FilmRejectsWhatIsTooLargeOrNoNumberAndCountsIt) {
   film.read(FilmLayer::Color, 0, 0, {0, 0, 2, 2}, false, pixels, 6);
   const float expected[12] = {0, 0, 0, largest, -largest, 3, -largest, largest / 3, 3, 0, 0, 0};
   for (int i = 0; i < 12; ++i) EXPECT_EQ(pixels[i], expected[i]) << i;
+  film.read(FilmLayer::Rejected, 0, 0, {0, 0, 2, 2}, false, pixels, 6);
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(pixels[i], i < 3 ? 12 : 0) << i;
+}
+
+TEST(FilmAccumulator, RejectedContributionsBelongToTheirPixelAndPass) {
+  FilmDesc desc;
+  desc.width = 3, desc.height = 2;
+  Film film(desc, nullptr), other(desc, nullptr);
+  const auto at = [](const Film& f, bool partial) {
+    std::vector<float> pixels(18), first;
+    f.read(FilmLayer::Rejected, 0, 0, {0, 0, 3, 2}, partial, pixels.data(), 9);
+    for (size_t i = 0; i < 18; i += 3) {
+      EXPECT_EQ(pixels[i], pixels[i + 1]);
+      EXPECT_EQ(pixels[i], pixels[i + 2]);
+      first.push_back(pixels[i]);
+    }
+    return first;
+  };
+  const auto fill = [](Film& f, uint64_t pass, bool whole) {
+    f.begin(FilmRecipe{});
+    f.set_partial(true);
+    f.reject({2.5f, 1.5f});
+    f.add_eye_sample({2.5f, 1.5f}, Rgb(std::nanf("")));
+    f.add_light_sample({0.2f, 1.9f}, Rgb(std::nanf("")));
+    f.reject({std::nanf(""), 0});  // of no pixel
+    f.reject({-0.5f, 0});
+    if (!whole) return;
+    f.end_pass(pass, 0, 2);
+    f.commit_pass(pass);
+  };
+  fill(film, 0, true);
+  EXPECT_EQ(at(film, false), (std::vector<float>{0, 0, 0, 1, 0, 2}));
+  fill(film, 1, false);
+  EXPECT_EQ(at(film, false), (std::vector<float>{0, 0, 0, 1, 0, 2}));
+  EXPECT_EQ(at(film, true), (std::vector<float>{0, 0, 0, 2, 0, 4}));
+  film.discard_pass();
+  EXPECT_EQ(at(film, true), (std::vector<float>{0, 0, 0, 1, 0, 2}));
+  fill(other, 1, true);
+  film.merge(other);
+  EXPECT_EQ(at(film, false), (std::vector<float>{0, 0, 0, 2, 0, 4}));
+  EXPECT_EQ(film.rejected(), 10u);
+  float part[3];
+  film.read(FilmLayer::Rejected, 0, 0, {2, 1, 3, 2}, false, part, 3);
+  EXPECT_EQ(part[0], 4);
+  film.clear();
+  EXPECT_EQ(at(film, true), std::vector<float>(6));
 }
 
 }  // namespace

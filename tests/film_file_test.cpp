@@ -70,8 +70,9 @@ TEST_F(FilmFile, ComesBackAsItWas) {
   EXPECT_EQ(back->ranges().size(), 2u);
   EXPECT_EQ(back->rejected(), 7u);
   EXPECT_EQ(back->passes(), 7u);
-  for (FilmLayer layer : {FilmLayer::Color, FilmLayer::Eye, FilmLayer::Light, FilmLayer::Variance})
+  for (FilmLayer layer : {FilmLayer::Color, FilmLayer::Eye, FilmLayer::Light, FilmLayer::Variance, FilmLayer::Rejected})
     EXPECT_EQ(read(*back, layer), read(*film, layer));
+  EXPECT_EQ(read(*back, FilmLayer::Rejected)[3 * (9 + 1)], 7);
   EXPECT_EQ(read(*back, FilmLayer::Technique, 1, 2), read(*film, FilmLayer::Technique, 1, 2));
   back->save(path());
   EXPECT_TRUE(contents() == bytes);

@@ -1,48 +1,11 @@
 #include "api/check.h"
 #include "api/desc.h"
+#include "api/film_desc.h"
 #include "api/handles.h"
 
 using namespace bdpt;
 
 namespace {
-
-constexpr uint32_t kDefaultGroups = 2, kMaxGroups = 16, kMaxPyramidEdges = 15;
-
-FilterDesc read_filter(const Subject& subject, const bdpt_film_desc& desc) {
-  subject.check_enum("filter", desc.filter, BDPT_FILTER_BLACKMAN_HARRIS);
-  if (desc.filter_radius != 0) subject.check_range("filter_radius", desc.filter_radius, 0.5, 8);
-  subject.check_finite("filter_a", desc.filter_a);
-  subject.check_finite("filter_b", desc.filter_b);
-  // Within these the filter's integral is well away from zero, by which it is divided.
-  if (desc.filter == BDPT_FILTER_GAUSSIAN && desc.filter_a != 0)
-    subject.check_range("filter_a", desc.filter_a, 0.1f, 16);
-  if (desc.filter == BDPT_FILTER_MITCHELL) {
-    subject.check_range("filter_a", desc.filter_a, 0, 1);
-    subject.check_range("filter_b", desc.filter_b, 0, 1);
-  }
-  return {static_cast<FilterType>(desc.filter), desc.filter_radius, desc.filter_a, desc.filter_b};
-}
-
-FilmDesc read_film(const bdpt_film_desc& desc, const Sensor& sensor) {
-  const Subject subject("film", nullptr);
-  FilmDesc film;
-  film.width = sensor.width();
-  film.height = sensor.height();
-  film.filter = read_filter(subject, desc);
-  subject.check_enum("normalization", desc.normalization, BDPT_NORMALIZATION_SAMPLE_COUNT);
-  film.normalize_by_weights = desc.normalization == BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED;
-  if (desc.groups > kMaxGroups) subject.check_range("groups", desc.groups, 1, kMaxGroups);
-  film.groups = int(desc.groups == 0 ? kDefaultGroups : desc.groups);
-  subject.check_range("pyramid_edges", desc.pyramid_edges, 0, kMaxPyramidEdges);
-  film.pyramid_edges = int(desc.pyramid_edges);
-  if (!sensor.is_local()) return film;
-  if (film.filter.type != FilterType::Box || (film.filter.radius != 0 && film.filter.radius != 0.5f))
-    subject.refuse("filter", "is none for a sensor that has no pixels: leave filter and filter_radius zero");
-  film.planes = sensor.planes();
-  film.one_image = true;
-  film.measured = sensor.count();
-  return film;
-}
 
 void check_path(const char* path) {
   if (!path || !*path) fail(ErrorCode::InvalidArgument, "path is ", path ? "empty" : "NULL", ": name a file");
@@ -90,8 +53,22 @@ bdpt_result bdpt_film_create(bdpt_sensor* sensor, const bdpt_film_desc* desc, bd
     require(film, "film");
     auto object = std::make_unique<bdpt_film>();
     object->context = sensor->context;
-    object->film = std::make_shared<Film>(read_film(d, *sensor->sensor), sensor->context->meter);
+    object->film = std::make_shared<Film>(read_film(d, shape_of(*sensor->sensor)), sensor->context->meter);
     *film = object.release();
+  });
+}
+
+bdpt_result bdpt_film_estimate(const bdpt_sensor* sensor, const bdpt_film_desc* desc, bdpt_memory_estimate* estimate) {
+  return guard(__func__, [&] {
+    require(sensor, "sensor");
+    const bdpt_film_desc d = read_optional_struct(desc, "desc");
+    check_output_struct(estimate, "estimate");
+    const FilmDesc film = read_film(d, shape_of(*sensor->sensor));
+    bdpt_memory_estimate result{};
+    result.film = Film::bytes_for(film);
+    result.render = Render::bytes_of_blocks(*sensor->context->executor, film);
+    result.total = result.film + result.render;
+    write_struct(result, estimate);
   });
 }
 

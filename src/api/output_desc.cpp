@@ -16,7 +16,7 @@ std::vector<OutputDesc> read_outputs(const Subject& sensor, const bdpt_output_de
     const std::string name = "output " + std::to_string(i);
     const Subject subject(name.c_str(), nullptr);
     const bdpt_output_desc d = read_struct(&element(outputs, i, stride), name.c_str());
-    subject.check_enum("kind", d.kind, BDPT_OUTPUT_FRONTS);
+    subject.check_enum("kind", d.kind, BDPT_OUTPUT_UNSHADOWED);
     subject.check_enum("paths", d.paths, BDPT_LIGHT_PATHS_INDIRECT);
     subject.check_not_negative("reach", &d.reach, 1);
     OutputDesc output;

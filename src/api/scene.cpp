@@ -21,7 +21,10 @@ class Collector {
     for (const auto& [id, instance] : builder_.instances)
       desc_.instances.push_back(
           {instance.label, shape(instance.shape), material(instance.material), instance.transform, id});
-    for (const auto& [id, light] : builder_.lights) desc_.lights.push_back(light);
+    for (const auto& [id, light] : builder_.lights) {
+      desc_.lights.push_back(light);
+      desc_.lights.back().id = id;
+    }
     return std::move(desc_);
   }
 
@@ -192,5 +195,30 @@ bdpt_result bdpt_scene_get_info(const bdpt_scene* scene, bdpt_scene_info* info) 
       result.bounds_max[axis] = from.bounds_max[axis];
     }
     write_struct(result, info);
+  });
+}
+
+bdpt_result bdpt_scene_get_light(const bdpt_scene* scene, uint32_t index, bdpt_scene_light* light) {
+  return guard(__func__, [&] {
+    const bdpt_scene& s = require(scene, "scene");
+    check_output_struct(light, "light");
+    if (index >= s.lights)
+      fail(ErrorCode::InvalidArgument, "index is ", index, ": the scene has ", s.lights, " lights");
+    const Scene& from = *s.scene;
+    bdpt_scene_light result{};
+    if (index < from.light_descs().size()) {
+      const LightDesc& desc = from.light_descs()[index];
+      result.group = desc.group;
+      result.light.id = desc.id;
+      result.label = desc.label.c_str();
+    } else {
+      uint64_t left = index - from.light_descs().size();
+      uint32_t i = 0;
+      while (is_black(from.material(i).emission) || left-- > 0) ++i;
+      result.group = from.material(i).emission_group;
+      result.instance.id = from.instance_id(i);
+      result.label = from.instance_label(i).c_str();
+    }
+    write_struct(result, light);
   });
 }

@@ -14,19 +14,25 @@ bool has_normals(const Scene& scene, const std::vector<LightmapInstance>& instan
 
 }  // namespace
 
-Lightmap::Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances,
-                   const AtlasStack& size, const PixelRect& subset, const std::vector<OutputDesc>& outputs,
-                   bool geometric_normals, const std::shared_ptr<MemoryMeter>& meter)
+Lightmap::Lightmap(std::shared_ptr<const Scene> scene, const LightmapDesc& desc, const std::vector<OutputDesc>& outputs,
+                   const std::shared_ptr<MemoryMeter>& meter)
     : scene_(std::move(scene)),
-      texels_(*scene_, instances, size, subset, meter),
+      texels_(*scene_, desc, meter),
+      atlas_width_(desc.size.width),
       outputs_(outputs),
-      geometric_normals_(geometric_normals || !has_normals(*scene_, instances)),
+      geometric_normals_(desc.geometric_normals || !has_normals(*scene_, desc.instances)),
       responds_(outputs_.respond(true, !geometric_normals_)),
       hemisphere_(all_fade(outputs) && geometric_normals_ ? 1 : 0.5f) {
-  hash_ = hash_values(scene_->info().hash, size.width, size.height, size.count, subset.x0, subset.y0, subset.x1,
-                      subset.y1, geometric_normals_);
+  const PixelRect& subset = desc.subset;
+  hash_ = hash_values(scene_->info().hash, desc.size.width, desc.size.height, desc.size.count, subset.x0, subset.y0,
+                      subset.x1, subset.y1, geometric_normals_);
   hash_ = hash_combine(hash_, outputs_.hash());
-  for (const LightmapInstance& i : instances) {
+  if (desc.film_of_rect) hash_ = hash_combine(hash_, 1);
+  if (const BurialDesc& burial = desc.burial; burial.rays > 0) {
+    hash_ = hash_combine(hash_, hash_values(burial.rays, burial.all_backs));
+    hash_ = hash_bytes(&burial.tolerance, sizeof(burial.tolerance), hash_);
+  }
+  for (const LightmapInstance& i : desc.instances) {
     const float place[] = {i.scale.x, i.scale.y, i.offset.x, i.offset.y};
     hash_ = hash_bytes(place, sizeof(place), hash_combine(hash_, hash_values(i.instance, i.atlas, i.uv_set, i.flip)));
   }
@@ -61,7 +67,7 @@ bool Lightmap::land(const Landing& landing, SensorPoint& z0) const {
   const float side = placed.flip ? -1.0f : 1.0f;
   z0.normal = landing.ng * side;
   const float cosine = -dot(z0.normal, landing.direction);
-  if (!(cosine > 0) || !texels_.find(placed, landing.primitive, landing.u, landing.v, x, y)) return false;
+  if (!(cosine > 0) || !texels_.find(uint32_t(index), landing.primitive, landing.u, landing.v, x, y)) return false;
   z0.shading = geometric_normals_ ? z0.normal : landing.ns * side;
   z0.film = center_of(x, y);
   z0.p = landing.p;

@@ -13,8 +13,7 @@ namespace bdpt {
 
 class Lightmap final : public Sensor {
  public:
-  Lightmap(std::shared_ptr<const Scene> scene, const std::vector<LightmapInstance>& instances, const AtlasStack& size,
-           const PixelRect& subset, const std::vector<OutputDesc>& outputs, bool geometric_normals,
+  Lightmap(std::shared_ptr<const Scene> scene, const LightmapDesc& desc, const std::vector<OutputDesc>& outputs,
            const std::shared_ptr<MemoryMeter>& meter);
 
   const TexelMap& texels() const { return texels_; }
@@ -28,6 +27,9 @@ class Lightmap final : public Sensor {
   int64_t number(int x, int y) const override { return texels_.number(x, y); }
   uint64_t count() const override { return texels_.report().texels; }
   void find(uint64_t number, int& x, int& y) const override { texels_.find(number, x, y); }
+  uint64_t place(int x, int y) const override {
+    return uint64_t(y + texels_.window().y0) * uint64_t(atlas_width_) + uint64_t(x + texels_.window().x0);
+  }
   const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
   bool responds() const override { return responds_; }
 
@@ -39,6 +41,7 @@ class Lightmap final : public Sensor {
  private:
   std::shared_ptr<const Scene> scene_;
   TexelMap texels_;
+  int atlas_width_;
   Outputs outputs_;
   bool geometric_normals_, responds_;
   HemisphereSampler hemisphere_;

@@ -42,6 +42,8 @@ Seen seen_by(OutputKind kind) {
       return Seen::Direction;
     case OutputKind::Fronts:
       return Seen::Fronts;
+    case OutputKind::Unshadowed:
+      return Seen::Unshadowed;
     default:
       return Seen::Light;
   }
@@ -55,6 +57,7 @@ Outputs::Outputs(const std::vector<OutputDesc>& outputs) : descs_(outputs) {
     OutputPlanes planes{};
     planes.first = first, planes.count = planes_of(o.kind);
     planes.direct = o.direct, planes.indirect = o.indirect, planes.groups = o.groups;
+    planes.kind = int(o.kind);
     planes.seen = seen_by(o.kind);
     if (o.reach > 0) planes.reach = o.reach;
     list_.push_back(planes);
@@ -77,6 +80,7 @@ void Outputs::evaluate(const Vec3& w, const Vec3& shading, float cosine, float* 
     switch (descs_[i].kind) {
       case OutputKind::Irradiance:
       case OutputKind::BentNormal:
+      case OutputKind::Unshadowed:
         out[0] = std::max(0.0f, dot(w, shading)) * per_cosine;
         break;
       case OutputKind::IrradianceOverPi:

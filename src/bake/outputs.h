@@ -25,7 +25,8 @@ enum class OutputKind {
   BentNormal,   // INT V w max(0, w n) dw
   OpennessSh1,  // INT V Y_lm(w) dw
   OpennessSh2,
-  Fronts,  // part of the rays that do not meet the back of a one-sided surface
+  Fronts,      // part of the rays that do not meet the back of a one-sided surface
+  Unshadowed,  // the direct part of E as if nothing were in the light's way
 };
 
 struct OutputDesc {
@@ -38,7 +39,7 @@ struct OutputDesc {
 // Whether it is zero at the horizon of a surface.
 inline bool fades(OutputKind kind) {
   return kind == OutputKind::Irradiance || kind == OutputKind::IrradianceOverPi || kind == OutputKind::Openness ||
-         kind == OutputKind::BentNormal;
+         kind == OutputKind::BentNormal || kind == OutputKind::Unshadowed;
 }
 
 inline bool all_fade(const std::vector<OutputDesc>& outputs) {
@@ -53,6 +54,7 @@ class Outputs {
  public:
   explicit Outputs(const std::vector<OutputDesc>& outputs);
   const std::vector<OutputPlanes>& list() const { return list_; }
+  int planes() const { return list_.back().first + list_.back().count; }
   static int planes_of(OutputKind kind);
   // Whether some plane is not the base. on_surface: of its sensor; normals may differ: shading normals are used.
   bool respond(bool on_surface, bool normals_differ) const;

@@ -108,7 +108,7 @@ void Film::add_eye_sample(const FilmPosition& film, const Rgb* values, float wei
   }
   const Rgb& value = values[0];
   const bool ok = fits(value);
-  if (!ok) ++rejected_pass_;
+  if (!ok) reject(film);
   if (own_pixel_) {  // no other thread samples this pixel
     const int x = int(film.x), y = int(film.y);
     Accumulator* sums = &pass_[(size_t(y) * size_t(desc_.width) + size_t(x)) * layout_.size()];
@@ -123,9 +123,16 @@ void Film::add_eye_sample(const FilmPosition& film, const Rgb* values, float wei
   });
 }
 
+void Film::reject(const FilmPosition& film) {
+  const std::lock_guard lock(rejected_mutex_);
+  ++rejected_pass_;
+  if (film.x >= 0 && film.y >= 0 && film.x < float(desc_.width) && film.y < float(desc_.height))
+    ++rejected_pass_in_[uint64_t(film.y) * uint64_t(desc_.width) + uint64_t(film.x)];
+}
+
 void Film::add_sample(size_t place, const FilmPosition& film, const Rgb& value) {
   if (!fits(value)) {
-    ++rejected_pass_;
+    reject(film);
     return;
   }
   splat(film, [&](size_t pixel, float h) { add_rgb(&pass_[pixel * layout_.size() + place], value * h); });
@@ -178,7 +185,9 @@ void Film::commit_pass(uint64_t pass) {
   std::vector<PassRange> all = ranges_;
   all.push_back({pass, pass + recipe_.pool_passes});
   if (!unite(all, ranges_)) fail(ErrorCode::Internal, "pass ", pass, " was rendered twice");
-  rejected_ += rejected_pass_.exchange(0);
+  rejected_ += std::exchange(rejected_pass_, 0);
+  for (const auto& [pixel, count] : rejected_pass_in_) rejected_in_[pixel] += count;
+  rejected_pass_in_.clear();
   partial_ = false;
 }
 
@@ -187,6 +196,7 @@ void Film::discard_pass() {
   std::fill(pass_.begin(), pass_.end(), Accumulator{});
   std::fill(pyramid_pass_.begin(), pyramid_pass_.end(), RgbSums{});
   rejected_pass_ = 0;
+  rejected_pass_in_.clear();
   partial_ = false;
 }
 
@@ -222,6 +232,7 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
                 size_t row_stride, int plane_index) const {
   const size_t plane = size_t(plane_index);
   include_partial = include_partial && partial_;
+  if (layer == FilmLayer::Rejected) return read_rejected(rect, include_partial, out, row_stride);
   const double whole = double(passes() + (include_partial ? recipe_.pool_passes : 0));
   const double per_pass = whole > 0 ? 1 / whole : 0;
   std::vector<double> group_passes;
@@ -267,10 +278,26 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
           for (int c = 0; c < 3; ++c) rgb[c] = std::max(0.0, square[c] - mean[c] * mean[c]) / (filled - 1);
           break;
         }
+        case FilmLayer::Rejected:
+          break;
       }
       float* p = out + size_t(y - rect.y0) * row_stride + size_t(x - rect.x0) * 3;
       for (int c = 0; c < 3; ++c) p[c] = float(rgb[c]);
     }
+}
+
+void Film::read_rejected(const PixelRect& rect, bool include_partial, float* out, size_t row_stride) const {
+  for (int y = 0; y < rect.y1 - rect.y0; ++y) std::fill_n(out + size_t(y) * row_stride, 3 * rect.width(), 0.0f);
+  const auto add = [&](const PixelCounts& counts) {
+    for (const auto& [pixel, count] : counts) {
+      const int x = int(pixel % uint64_t(desc_.width)), y = int(pixel / uint64_t(desc_.width));
+      if (x < rect.x0 || x >= rect.x1 || y < rect.y0 || y >= rect.y1) continue;
+      float* p = out + size_t(y - rect.y0) * row_stride + size_t(x - rect.x0) * 3;
+      for (int c = 0; c < 3; ++c) p[c] += float(count);
+    }
+  };
+  add(rejected_in_);
+  if (include_partial) add(rejected_pass_in_);
 }
 
 double Film::relative_error() const {
@@ -303,6 +330,7 @@ void Film::clear() {
   ranges_.clear();
   recipe_ = FilmRecipe{};
   rejected_ = 0;
+  rejected_in_.clear();
 }
 
 void Film::merge(const Film& source) {
@@ -318,6 +346,7 @@ void Film::merge(const Film& source) {
   recipe_ = source.recipe_;
   ranges_ = std::move(united);
   rejected_ += source.rejected_;
+  for (const auto& [pixel, count] : source.rejected_in_) rejected_in_[pixel] += count;
   for (size_t i = 0; i < sums_.size(); ++i) sums_[i].add(source.sums_[i]);
   for (size_t i = 0; i < pyramid_.size(); ++i)
     for (int c = 0; c < 3; ++c) pyramid_[i].rgb[c].add(source.pyramid_[i].rgb[c]);

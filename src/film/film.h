@@ -9,7 +9,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,7 +74,7 @@ struct PixelLayout {
   size_t light(size_t plane) const { return one_image ? 3 * plane : 4; }
 };
 
-enum class FilmLayer { Color, Eye, Light, Variance, Technique };
+enum class FilmLayer { Color, Eye, Light, Variance, Technique, Rejected };
 
 class Film {
  public:
@@ -106,6 +108,8 @@ class Film {
   // Of the eye image, but of no pixel: an eye image of such samples alone is normalised by their number.
   void add_free_eye_sample(const FilmPosition& film, const Rgb& value);
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
+  // Counts a contribution that was left out before it came here. Thread-safe.
+  void reject(const FilmPosition& film);
   bool has_technique(int s, int t) const { return s + t >= 2 && s + t - 1 <= desc_.pyramid_edges; }
   // The pass in hand is `pass` and those that come with it.
   void end_pass(uint64_t pass, int row_begin, int row_end);  // folds these rows; rows in parallel
@@ -144,6 +148,7 @@ class Film {
     return sums_.data() + (size_t(group) * pixels() + pixel) * layout_.size();
   }
   uint64_t passes_in_group(int group) const;
+  void read_rejected(const PixelRect& rect, bool include_partial, float* pixels, size_t row_stride) const;
 
   FilmDesc desc_;
   Filter filter_;
@@ -155,8 +160,11 @@ class Film {
   std::vector<Accumulator> pass_;  // of the pass in hand
   std::vector<RgbSums> pyramid_;   // techniques x pixels
   std::vector<RgbSums> pyramid_pass_;
-  std::atomic<uint64_t> rejected_pass_{0};
-  uint64_t rejected_ = 0;
+  // Contributions left out, of all and of pixels that have any.
+  using PixelCounts = std::map<uint64_t, uint64_t>;
+  std::mutex rejected_mutex_;
+  uint64_t rejected_pass_ = 0, rejected_ = 0;
+  PixelCounts rejected_pass_in_, rejected_in_;
   bool partial_ = false;
   bool own_pixel_ = false;  // an eye sample counts for its own pixel only
   std::atomic<bool> in_use_{false};

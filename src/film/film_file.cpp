@@ -15,7 +15,7 @@ namespace bdpt {
 namespace {
 
 constexpr char kMagic[8] = {'b', 'd', 'p', 't', 'f', 'i', 'l', 'm'};
-constexpr uint32_t kVersion = 3;
+constexpr uint32_t kVersion = 4;
 constexpr uint32_t kMaxRanges = 1u << 24;
 constexpr uint64_t kMaxPoolPasses = 1u << 16;
 
@@ -122,6 +122,21 @@ std::vector<PassRange> read_ranges(Reader& in, uint64_t pool) {
   return ranges;
 }
 
+// Of pixels, in order; no more than the film has.
+std::map<uint64_t, uint64_t> read_counts(Reader& in, const FilmDesc& desc, uint64_t all) {
+  const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height), count = in.value<uint64_t>();
+  if (count > pixels || count * 16 > in.remaining()) in.bad("it claims too many pixels with rejected contributions");
+  std::map<uint64_t, uint64_t> rejected;
+  for (uint64_t i = 0; i < count; ++i) {
+    const uint64_t pixel = in.value<uint64_t>(), n = in.value<uint64_t>();
+    if (pixel >= pixels || (!rejected.empty() && pixel <= rejected.rbegin()->first) || n == 0 || n > all)
+      in.bad("its rejected contributions belong to no pixels of its own");
+    rejected.emplace_hint(rejected.end(), pixel, n);
+    all -= n;
+  }
+  return rejected;
+}
+
 }  // namespace
 
 void Film::save(const std::string& path) const {
@@ -152,6 +167,11 @@ void Film::save(const std::string& path) const {
     out.value(r.begin);
     out.value(r.end);
   }
+  out.value(uint64_t(rejected_in_.size()));
+  for (const auto& [pixel, count] : rejected_in_) {
+    out.value(pixel);
+    out.value(count);
+  }
   out.bytes(sums_.data(), sums_.size() * sizeof(Accumulator));
   out.bytes(pyramid_.data(), pyramid_.size() * sizeof(RgbSums));
   const uint64_t hash = out.hash();
@@ -177,6 +197,7 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   if (recipe.pool_passes == 0 || recipe.pool_passes > kMaxPoolPasses) in.bad("its pool has no such number of passes");
   const uint64_t rejected = in.value<uint64_t>();
   std::vector<PassRange> ranges = read_ranges(in, recipe.pool_passes);
+  std::map<uint64_t, uint64_t> rejected_in = read_counts(in, desc, rejected);
   // Before memory is taken for what a damaged header claims.
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height), k = uint64_t(desc.pyramid_edges);
   const uint64_t bytes = pixels * (sizeof(Accumulator) * PixelLayout(desc).size() * uint64_t(desc.groups) +
@@ -190,6 +211,7 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   film->recipe_ = recipe;
   film->ranges_ = std::move(ranges);
   film->rejected_ = rejected;
+  film->rejected_in_ = std::move(rejected_in);
   return film;
 }
 

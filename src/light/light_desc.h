@@ -19,6 +19,7 @@ struct LightDesc {
   float cos_outer = 0;       // spot: cosine where it is dark
   float cos_inner = 0;       // spot: cosine where it is full, >= cos_outer
   uint32_t group = 0;        // below 64; outputs may ask for some groups' light
+  uint64_t id = 0;           // the host's; decides nothing
 };
 
 }  // namespace bdpt

@@ -167,6 +167,14 @@ void Render::book_blocks() {
   booking_ = Booking(meter_, blocks + tree, "the render's blocks and tree of lights");
 }
 
+uint64_t Render::bytes_of_blocks(const Executor& executor, const FilmDesc& film) {
+  const uint64_t side = uint64_t(std::lround(std::sqrt(double(kDefaultBlock))));
+  const uint64_t width = uint64_t(film.width), height = uint64_t(film.height);
+  const uint64_t blocks = ((width + side - 1) / side) * ((height + side - 1) / side);
+  const uint64_t samples = std::min(side, width) * std::min(side, height);
+  return std::min<uint64_t>(executor.worker_count(), blocks) * samples * kBytesPerSample;
+}
+
 void Render::make_pool() {
   const FloatMode mode;
   const LightPilot pilot = pilot_light(*engine_);

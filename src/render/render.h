@@ -53,6 +53,9 @@ class Render {
          std::shared_ptr<Executor> executor, std::shared_ptr<MemoryMeter> meter, const RenderDesc& desc);
   ~Render();
 
+  // What its blocks are booked to take with the default options.
+  static uint64_t bytes_of_blocks(const Executor& executor, const FilmDesc& film);
+
   // Not to be called from its own callbacks.
   AdvanceReport advance(const AdvanceDesc& desc);
   TransportStats stats() const;       // also while advance() is under way

@@ -57,6 +57,10 @@ class Scene {
     return triangle_surface(instances_[instance], primitive, u, v, surface);
   }
 
+  // --- For lists of what emits ---
+  const std::vector<LightDesc>& light_descs() const { return desc_.lights; }
+  const Material& material(uint32_t instance) const { return *instances_[instance].material; }
+
   // The surface at a hit of a ray; false where its geometry is too degenerate to have a normal.
   bool surface(const Ray& ray, const Hit& hit, Surface& surface) const;
 

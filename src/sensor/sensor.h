@@ -68,13 +68,15 @@ struct Landing {
 // What an output is about: light; or what the first rays of eye subpaths see, whatever light there is.
 enum class Seen {
   Light,
-  Openness,   // 1 where nothing is within reach
-  Direction,  // the same times the direction, its three coordinates in place of colours
-  Fronts,     // 1 but for backs that absorb all light; all rays count alike, whatever they measure
+  Openness,    // 1 where nothing is within reach
+  Direction,   // the same times the direction, its three coordinates in place of colours
+  Fronts,      // 1 but for backs that absorb all light; all rays count alike, whatever they measure
+  Unshadowed,  // direct light as if nothing were in its way
 };
 
 // A part of what a measurement is asked for: some planes of the film, and the light that counts for them.
 struct OutputPlanes {
+  int kind = -1;  // as its sensor calls it; -1 = has no name
   Seen seen = Seen::Light;
   float reach = 3e38f;                  // of openness, in lengths
   int first = 0, count = 1;             // planes
@@ -82,8 +84,9 @@ struct OutputPlanes {
   uint64_t groups = ~0ull;              // of lights, one bit each
   bool is_all() const { return seen == Seen::Light && direct && indirect && groups == ~0ull; }
   bool takes(uint32_t edges, uint32_t group) const {
-    return seen == Seen::Light && (edges == 1 ? direct : indirect) && (groups >> group & 1);
+    return seen == Seen::Light && (edges == 1 ? direct : indirect) && takes(group);
   }
+  bool takes(uint32_t group) const { return groups >> group & 1; }
 };
 
 // Pixels [x0, x1) x [y0, y1), in film coordinates.
@@ -128,6 +131,8 @@ class Sensor {
   // Measurements that are no pixels need not fill the film. The number of those before this one; -1 for none here.
   virtual int64_t number(int x, int y) const { return int64_t(y) * width() + x; }
   virtual uint64_t count() const { return uint64_t(width()) * uint64_t(height()); }
+  // By which its random numbers are named: of a part of a whole, its place in the whole.
+  virtual uint64_t place(int x, int y) const { return uint64_t(y) * uint64_t(width()) + uint64_t(x); }
   // The place of measurement `number`, below count().
   virtual void find(uint64_t number, int& x, int& y) const {
     x = int(number % uint64_t(width())), y = int(number / uint64_t(width()));

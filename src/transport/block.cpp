@@ -94,7 +94,7 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
   places_.clear();
   for (uint32_t sample = 0; sample < pixel_samples_.size(); ++sample) {
     const auto& [p, x, y] = pixel_samples_[sample];
-    const uint64_t number = uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
+    const uint64_t number = engine_.eye_number(x, y);
     const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
     const Four u = engine_.draw_film(stream, p, number);
     if (engine_.local)
@@ -117,7 +117,7 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
 void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
   EyeStart& z0 = eye_.starts[sample] = start;
   if (!std::isfinite(z0.weight)) {  // what a host's measurement started cannot be used
-    ++stats_.rejected;
+    reject(z0.film);
     z0.weight_position = 0;
     return;
   }
@@ -243,11 +243,13 @@ void Block::accumulate() {
     engine_.film.add_eye_sample(eye_.starts[i].film, &eye_sums_[i * planes], eye_weights_[i]);
 }
 
+void Block::reject(const FilmPosition& film) {
+  ++stats_.rejected;
+  if (!keeps_) engine_.film.reject(film);
+}
+
 void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribution, uint32_t group, const Vec3* w) {
-  if (!is_finite(contribution)) {
-    ++stats_.rejected;
-    return;
-  }
+  if (!is_finite(contribution)) return reject(eye_.starts[sample].film);
   const Rgb value = contribution * eye_weights_[sample];
   count(s, t, value);
   if (keeps_) {
@@ -270,10 +272,7 @@ void Block::add_eye(uint32_t sample, uint32_t s, uint32_t t, const Rgb& contribu
 
 void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution,
                       uint32_t group, const SensorPlace* z0, const Vec3* w) {
-  if (!is_finite(contribution)) {
-    ++stats_.rejected;
-    return;
-  }
+  if (!is_finite(contribution)) return reject(film);
   const Rgb value = contribution * engine_.light_weight;
   count(s, t, value);
   if (keeps_) {

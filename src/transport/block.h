@@ -201,8 +201,14 @@ class Block {
   void connect_ends();
   // s = 1: joins z to fresh light vertices.
   void connect_to_light(const Vertex& z, uint32_t sample);
-  // The weighted contribution of one of them, but for its visibility and their number.
+  // Number `number` of the four random numbers that they take.
+  Four draw_direct(const Vertex& z, uint32_t sample, uint32_t number);
+  // The contribution of one of them, but for its weight, its visibility and their number.
+  Rgb direct_throughput(const Vertex& z, uint32_t sample, const DirectLight& light, Scattering& at_z, float& geometry);
+  // The same weighted.
   Rgb direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light);
+  // (1,1) of a local sensor as if nothing were in the way, for outputs that ask for it.
+  void measure_unshadowed(uint32_t sample);
   // t = 1: joins y to a fresh sensor vertex.
   void connect_to_sensor(const Vertex& y, uint32_t light);
   // t = 1 of a local sensor: joins y to the z_0 of the eye subpath that it belongs to.
@@ -219,6 +225,8 @@ class Block {
   void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution,
                  uint32_t group, const SensorPlace* z0 = nullptr, const Vec3* w = nullptr);
   void count(uint32_t s, uint32_t t, const Rgb& value);
+  // Counts a contribution, or a whole sample, that is left out.
+  void reject(const FilmPosition& film);
   void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, uint32_t group,
                        const FilmPosition& film = {0, 0});
   // The shadow ray's roulette; the contribution of a survivor grows.

@@ -59,10 +59,7 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
   const Receiver x = z.receiver();
   const uint32_t samples = uint32_t(engine_.options.direct_samples);
   const uint32_t candidates = uint32_t(engine_.options.direct_candidates), strata = samples * candidates;
-  const auto numbers = [&](uint32_t i) {
-    if (i == 0) return draw(true, sample, z.count, Purpose::Connect);
-    return engine_.draw(another(eye_.streams[sample], i), z.count, Purpose::Connect);
-  };
+  const auto numbers = [&](uint32_t i) { return draw_direct(z, sample, i); };
   uint32_t number = 0;
   for (int turn = 0; turn < lighting.turns(); ++turn)
     for (uint32_t i = 0; i < samples; ++i) {
@@ -104,16 +101,64 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
     }
 }
 
+Four Block::draw_direct(const Vertex& z, uint32_t sample, uint32_t number) {
+  if (number == 0) return draw(true, sample, z.count, Purpose::Connect);
+  return engine_.draw(another(eye_.streams[sample], number), z.count, Purpose::Connect);
+}
+
+Rgb Block::direct_throughput(const Vertex& z, uint32_t sample, const DirectLight& light, Scattering& at_z,
+                             float& geometry) {
+  const LightPoint& y0 = light.y0;
+  const Vec3 w = light.direction;
+  float z_cosine;
+  if (!scatter_to_eye(z, sample, w, at_z, z_cosine)) return Rgb();
+  const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
+  geometry = y0.infinite ? z_cosine : z_cosine * y_cosine / (light.distance * light.distance);
+  return z.throughput * at_z.f * light.radiance * (geometry / light.density);
+}
+
+// By all samples that direct lighting takes there, candidates too, which cost no ray; the same numbers, so that its
+// noise is that of the light which is measured with its shadows.
+void Block::measure_unshadowed(uint32_t sample) {
+  const EyeStart& z0 = eye_.starts[sample];
+  if (z0.weight_position == 0) return;
+  const Vertex z = sensor_vertex(sample);
+  const DirectLighting& lighting = engine_.direct_lighting;
+  const Receiver x = z.receiver();
+  const uint32_t samples = uint32_t(engine_.options.direct_samples);
+  const uint32_t candidates = uint32_t(engine_.options.direct_candidates), strata = samples * candidates;
+  uint32_t number = 0;
+  for (int turn = 0; turn < lighting.turns(); ++turn)
+    for (uint32_t i = 0; i < samples; ++i) {
+      if (candidates > 1) ++number;
+      for (uint32_t k = 0; k < candidates; ++k) {
+        const Four u = draw_direct(z, sample, number++);
+        DirectLight light;
+        const double choice = (double(k * samples + i) + join(u[0], u[3])) / strata;
+        if (!lighting.sample(x, turn, choice, u[1], u[2], light)) continue;
+        Scattering at_z;
+        float geometry;
+        const Rgb c = direct_throughput(z, sample, light, at_z, geometry) * (eye_weights_[sample] / float(strata));
+        if (is_black(c)) continue;
+        if (!is_finite(c)) {
+          reject(z0.film);
+          continue;
+        }
+        const uint32_t group = engine_.scene.lights().group(light.y0.light);
+        responses_.each_unshadowed(z0, light.direction, group, [&](size_t plane, float factor) {
+          eye_sums_[sample * responses_.planes() + plane] += c * factor;
+        });
+      }
+    }
+}
+
 Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light) {
   const Lights& lights = engine_.scene.lights();
   const LightPoint& y0 = light.y0;
   const Vec3 w = light.direction;
   Scattering at_z;
-  float z_cosine;
-  if (!scatter_to_eye(z, sample, w, at_z, z_cosine)) return Rgb();
-  const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
-  const float geometry = y0.infinite ? z_cosine : z_cosine * y_cosine / (light.distance * light.distance);
-  const Rgb c = z.throughput * at_z.f * light.radiance * (geometry / light.density);
+  float geometry = 0;
+  const Rgb c = direct_throughput(z, sample, light, at_z, geometry);
   if (is_black(c) || engine_.unweighted) return c;
 
   const bool hittable = y0.has_area || y0.infinite;

@@ -74,6 +74,11 @@ struct Engine {
   int64_t sample_number(int x, int y) const {
     return local ? sensor.number(x, y) : int64_t(y - bounds.y0) * bounds.width() + (x - bounds.x0);
   }
+  // The number of a pixel's eye subpaths among their streams.
+  uint64_t eye_number(int x, int y) const {
+    if (local) return sensor.place(x, y);
+    return uint64_t(y - bounds.y0) * uint64_t(bounds.width()) + uint64_t(x - bounds.x0);
+  }
   // How many pixels of a rectangle measure anything.
   uint64_t measured(const PixelRect& rect) const;
   uint64_t light_per_pass() const { return samples_per_pass() * uint64_t(options.light_samples); }

@@ -5,6 +5,10 @@
 namespace bdpt {
 
 void Block::extend() {
+  if (responses_.unshadowed() && !keeps_) {
+    StageTimer timer(stats_.connect);
+    for (uint32_t sample = 0; sample < eye_.count(); ++sample) measure_unshadowed(sample);
+  }
   if (engine_.allows(1, 1)) {
     StageTimer timer(stats_.connect);
     if (engine_.local) {

@@ -16,12 +16,14 @@ class Responses {
         plain_(sensor.is_plain()),
         responds_(sensor.responds()),
         response_(planes_, 1.0f) {
-    for (const OutputPlanes& o : sensor.outputs()) sees_ = sees_ || o.seen != Seen::Light;
+    for (const OutputPlanes& o : sensor.outputs())
+      (o.seen == Seen::Unshadowed ? unshadowed_ : sees_) |= o.seen != Seen::Light;
   }
 
   size_t planes() const { return planes_; }
-  bool is_plain() const { return plain_; }  // one plane, and it is the base
-  bool sees() const { return sees_; }       // whether some output is not about light
+  bool is_plain() const { return plain_; }         // one plane, and it is the base
+  bool sees() const { return sees_; }              // whether some output is about what first rays see
+  bool unshadowed() const { return unshadowed_; }  // whether some output is about light that nothing blocks
   // For eye subpaths that are about to start.
   void reset(size_t samples) { starts_.assign(responds_ ? samples * planes_ : 0, kUnknown); }
 
@@ -37,13 +39,21 @@ class Responses {
     if (responds_) sensor_.respond(z0, w, response_.data());
     visit(response_.data(), edges, group, add);
   }
+  // Direct light that nothing blocks.
+  template <class Add>
+  void each_unshadowed(const SensorPlace& z0, const Vec3& w, uint32_t group, Add&& add) {
+    if (responds_) sensor_.respond(z0, w, response_.data());
+    for (const OutputPlanes& o : sensor_.outputs())
+      if (o.seen == Seen::Unshadowed && o.takes(group)) add(size_t(o.first), response_[size_t(o.first)]);
+  }
   // What an eye subpath's first ray sees: up to a distance, the back of something or not; weight: alpha_2. Calls
   // add(plane, value).
   template <class Add>
   void see(uint32_t sample, const EyeStart& z0, float distance, bool back, float weight, Add&& add) {
     const float* response = first_response(sample, z0);
     for (const OutputPlanes& o : sensor_.outputs()) {
-      if (o.seen == Seen::Light || (o.seen == Seen::Fronts ? back : distance <= o.reach)) continue;
+      if (o.seen == Seen::Light || o.seen == Seen::Unshadowed) continue;
+      if (o.seen == Seen::Fronts ? back : distance <= o.reach) continue;
       for (int plane = o.first; plane < o.first + o.count; ++plane) {
         const float v = o.seen == Seen::Fronts ? 1 : weight * response[plane];
         const Vec3& d = z0.direction;
@@ -71,7 +81,7 @@ class Responses {
 
   const Sensor& sensor_;
   size_t planes_;
-  bool plain_, responds_, sees_ = false;
+  bool plain_, responds_, sees_ = false, unshadowed_ = false;
   std::vector<float> response_;  // of the direction in hand
   std::vector<float> starts_;    // of the eye subpaths' first directions, once they were asked for
 };
