@@ -10,6 +10,7 @@ using namespace bdpt;
 namespace {
 
 constexpr uint64_t kMaxPoints = uint64_t(1) << 32;
+constexpr float kLeastRadius = 1e-9f, kMostRadius = 1e9f;  // densities are floats
 
 MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
   const std::string name = "point " + std::to_string(number);
@@ -21,8 +22,8 @@ MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
   const Imath::V3d normal(point.normal[0], point.normal[1], point.normal[2]);
   MeasuredPoint p{to_vec3(point.position)};
   if (normal.length() > 0) p.normal = Vec3(normal / normal.length());
-  if (normal.length() == 0 && point.radius > 0)
-    subject.refuse("radius", "is ", point.radius, " although the point has no normal: a disk needs one");
+  if (point.radius > 0 && !(point.radius >= kLeastRadius && point.radius <= kMostRadius))
+    subject.refuse("radius", "is ", point.radius, ": give 0, or ", kLeastRadius, " to ", kMostRadius);
   p.radius = point.radius;
   return p;
 }
