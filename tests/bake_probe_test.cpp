@@ -252,7 +252,7 @@ TEST(BakeProbe, BothSidesKnowTheChord) {
       const double t = c.begin + (c.end - c.begin) * double(u());
       EyeStart z0;
       static_cast<SensorPlace&>(z0) = sensor->point_in(c.number, origin + d * float(t));
-      if (c.end - c.begin < 0.05 || t < 0.01) continue;  // roundings
+      if (c.end - c.begin < 0.2 || t < 0.01) continue;  // roundings
       ASSERT_NEAR(double(sensor->chord_density(z0, -d, float(t))) * (c.end - c.begin), 1, 1e-4);
       ++found, within += c.begin == 0;
     }
