@@ -593,8 +593,10 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sen
 typedef struct bdpt_point {
   float position[3];
   float normal[3]; /* of any length: light from its side counts; zero: light from everywhere does */
-  float radius;    /* with a normal: the mean over a disk of this radius across it; 0 = the point itself */
-  uint32_t reserved;
+  float radius;    /* 0, or 1e-9 to 1e9 world units: the mean over a disk across the normal, or without one over a ball;
+                      0 = the point itself */
+  float cone;      /* with a normal: only light within so many degrees of it counts, (0,90], as if all else were black;
+                      0 = 90. Without one: 0 */
 } bdpt_point;
 
 typedef struct bdpt_points_desc {
@@ -611,7 +613,8 @@ typedef struct bdpt_points_desc {
 } bdpt_points_desc;
 
 /* Creates a sensor of points in space. The film has them in rows, in order: a packed read of it begins with the points,
- * one after another. Light subpaths do not hit points or disks by chance: t = 0 is left out.
+ * one after another. Light subpaths do not hit points or disks by chance: of these t = 0 is left out. They do cross
+ * balls, and are measured there by the length of their way (t = 0): what comes through glass from small lamps is found.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: copies; the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const bdpt_points_desc *desc, bdpt_sensor **sensor);

@@ -114,8 +114,15 @@ TEST(ApiBake, PointFieldsAreChecked) {
   refused([](auto&, auto& p, auto&) { p.normal[1] = kNan; });
   refused([](auto&, auto& p, auto&) { p.radius = -1; });
   refused([](auto&, auto& p, auto&) { p.normal[1] = 0; });  // irradiance needs one
-  refused([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 1; });
-  refused([](auto&, auto& p, auto&) { p.reserved = 1; });
+  EXPECT_OK(result([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 1; }));
+  EXPECT_OK(result([](auto&, auto& p, auto&) { p.cone = 90; }));
+  refused([](auto&, auto& p, auto&) { p.radius = 1e-10f; });
+  refused([](auto&, auto& p, auto&) { p.radius = 1e10f; });
+  refused([](auto&, auto& p, auto&) { p.radius = kNan; });
+  refused([](auto&, auto& p, auto&) { p.cone = -1; });
+  refused([](auto&, auto& p, auto&) { p.cone = 91; });
+  refused([](auto&, auto& p, auto&) { p.cone = kNan; });
+  refused([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.cone = 1; });
 }
 
 TEST(ApiBake, ALightmapTellsWhatItCovers) {
@@ -254,6 +261,62 @@ TEST(ApiBake, BitsDoNotDependOnThreadsRangesAndFiles) {
           << plan << ", plane " << plane;
     std::remove(path.c_str());
   }
+}
+
+// Balls: the same bits whatever the threads, blocks and ranges, and what a point in the middle measures.
+TEST(ApiBake, BallsHaveTheirBitsAndMeasureWhatPointsDo) {
+  std::vector<bdpt_point> places;
+  for (int i = 0; i < 40; ++i)
+    places.push_back({{-1 + 0.05f * float(i), 1, 0.5f}, {0, 0, 0}, 0.02f + 0.01f * float(i), 0});
+  const auto measure = [&](uint32_t threads, uint64_t first, uint64_t count, const char* plan, bool balls) {
+    bdpt_context_desc context = make<bdpt_context_desc>();
+    context.threads = threads;
+    const World world(&context);
+    std::vector<bdpt_point> own = places;
+    if (!balls)
+      for (bdpt_point& p : own) p.radius = 0;
+    bdpt_points_desc desc = make<bdpt_points_desc>();
+    desc.count = own.size(), desc.points = own.data();
+    bdpt_sensor* sensor = nullptr;
+    EXPECT_OK(bdpt_points_create(world.context.get(), &desc, &sensor));
+    const Sensor owner(sensor);
+    bdpt_render_desc render = make<bdpt_render_desc>();
+    render.first_pass = first, render.plan = plan, render.seed = 3;
+    Film film = make_film(sensor);
+    EXPECT_OK(advance(make_render(world.scene.get(), sensor, film.get(), &render).get(), count));
+    return film;
+  };
+  for (const char* plan : {"one-to-one", "two-way", "pooled", "matrix"}) {
+    const Film whole = measure(1, 0, 32, plan, true), half = measure(2, 0, 16, plan, true),
+               rest = measure(2, 16, 16, plan, true);
+    ASSERT_OK(bdpt_film_merge(half.get(), rest.get()));
+    EXPECT_EQ(pixels_of(whole.get()), pixels_of(half.get())) << plan;
+    EXPECT_EQ(0u, info_of(whole.get()).rejected);
+  }
+  const std::vector<float> a = pixels_of(measure(2, 0, 2048, "one-to-one", true).get()),
+                           b = pixels_of(measure(2, 0, 2048, "one-to-one", false).get());
+  for (size_t i = 0; i < 10; ++i) EXPECT_NEAR(b[3 * i], a[3 * i], 0.05 * double(b[3 * i])) << i;  // small ones
+}
+
+// A photometer's cone: of a uniform sky E = pi L sin²; and what is left and right of its edge.
+TEST(ApiBake, AConeSeesLightWithinIt) {
+  const World world;
+  std::vector<float> seen;
+  for (const float cone : {0.0f, 90.0f, 30.0f, 0.0f}) {
+    bdpt_point place = point_at(0.4f, 1, 0.2f, 1);
+    place.cone = cone;
+    bdpt_points_desc desc = make<bdpt_points_desc>();
+    desc.count = 1, desc.points = &place;
+    bdpt_sensor* sensor = nullptr;
+    ASSERT_OK(bdpt_points_create(world.context.get(), &desc, &sensor));
+    const Sensor owner(sensor);
+    const Film film = make_film(sensor);
+    ASSERT_OK(advance(make_render(world.scene.get(), sensor, film.get()).get(), 256));
+    seen.push_back(pixels_of(film.get())[0]);
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_EQ(seen[0], seen[3]);
+  EXPECT_NE(seen[0], seen[2]);
 }
 
 // Texels of a part have the bits of the whole where no light subpath takes part.

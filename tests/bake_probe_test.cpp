@@ -115,7 +115,7 @@ TEST(BakeProbe, DirectLightOfALampByEachTechnique) {
   }
 }
 
-// Whatever is open, points a ball that lies in and out of the scene's own sphere to a sky of radiance 1.
+// The sky starts its rays on a disk as large as the scene: balls within it, half out of it, and far above.
 TEST(BakeProbe, ASkyByEachTechniqueEvenOutsideOfTheScene) {
   Builder b;
   b.add(scenes::quad(Vec3(-1, -0.5f, 1), Vec3(1, -0.5f, 1), Vec3(1, -0.5f, -1), Vec3(-1, -0.5f, -1)),
@@ -235,6 +235,34 @@ TEST(BakeProbe, RunningSumsAreTheReference) {
                              b = read(*render(scene, sensor, loop, 256, 3).film);
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 2e-5f * a[i]) << i;
   }
+}
+
+// What a cone sees of a sky of radiance 1: pi sin² of its angle, and 2 pi (1 - cos) without the cosine; of a lamp that
+// it sees in part; and of all light in a room, by every plan.
+TEST(BakeProbe, ConesByEveryTechniqueAndPlan) {
+  Builder sky;
+  sky.environment(Rgb(1));
+  const ScenePointer open = sky.build();
+  std::vector<MeasuredPoint> cones;
+  const std::vector<double> angles = {0.5, 20, 45, 89, 90};
+  for (const double degrees : angles) cones.push_back({Vec3(0), unit(Vec3(1, 2, -1)), 0, float(degrees * M_PI / 180)});
+  const SensorPointer both = points(cones, {OutputDesc{OutputKind::Irradiance}, OutputDesc{OutputKind::Fluence}});
+  for (const Way& way : ways(1)) {
+    if (way.name == "t = 0" || way.name == "t = 1") continue;
+    const BlockMeans means = ball_means(open, both, way.options, 256, 32, 1);
+    for (size_t i = 0; i < angles.size(); ++i) {
+      const double a = angles[i] * M_PI / 180, half = std::sin(a / 2);
+      expect_value(means.values[i], M_PI * std::pow(std::sin(a), 2), 60, way.name, 1e-5);
+      expect_value(means.values[angles.size() + i], 4 * M_PI * half * half, 60, way.name, 1e-5);
+      EXPECT_LT(means.values[i].standard_error(), 0.02 * means.values[i].mean()) << way.name;
+    }
+  }
+  std::vector<Way> all = ways(4);
+  std::erase_if(all, [](const Way& w) { return w.name == "t = 0"; });
+  const SensorPointer placed =
+      points({{Vec3(0.2f, 0, 0.1f), Vec3(0, 1, 0), 0, 0.3f}, {Vec3(0, -0.5f, 0.5f), Vec3(0, 0, -1), 0.1f, 0.9f}},
+             {OutputDesc{OutputKind::Irradiance}, OutputDesc{OutputKind::Fluence}});
+  expect_agreement(lit_room({.sky = true}), {all, placed, 512, 32});
 }
 
 // The two sides know one density: a ray's chord, and that of any of its points seen from there.

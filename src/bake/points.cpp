@@ -43,16 +43,20 @@ Points::Points(std::vector<MeasuredPoint> points, const std::vector<OutputDesc>&
       hemisphere_(all_fade(outputs) ? 1 : 0.5f) {
   if (offset_ == 0)
     for (const MeasuredPoint& p : points_) offset_ = std::max(offset_, margin_of(largest(p.p)));
+  if (std::any_of(points_.begin(), points_.end(), [](const MeasuredPoint& p) { return p.cone < kPi / 2; }))
+    for (const MeasuredPoint& p : points_)
+      cones_.push_back(p.cone < kPi / 2 ? hemisphere_.within(p.cone) : hemisphere_);
   hash_ = hash_combine(outputs_.hash(), hash_values(points_.size()));
   hash_ = hash_bytes(&offset_, sizeof(offset_), hash_);
   for (const MeasuredPoint& p : points_) {
-    const float numbers[] = {p.p.x, p.p.y, p.p.z, p.normal.x, p.normal.y, p.normal.z, p.radius};
+    const float numbers[] = {p.p.x, p.p.y, p.p.z, p.normal.x, p.normal.y, p.normal.z, p.radius, p.cone};
     hash_ = hash_bytes(numbers, sizeof(numbers), hash_);
   }
 }
 
 EyeStart Points::start_at(int x, int y, const float u[5]) const {
-  const MeasuredPoint& point = points_[size_t(number(x, y))];
+  const size_t index = size_t(number(x, y));
+  const MeasuredPoint& point = points_[index];
   EyeStart s;
   s.film = center_of(x, y);
   s.p = point.p;
@@ -75,14 +79,14 @@ EyeStart Points::start_at(int x, int y, const float u[5]) const {
       s.density_position = 1 / (kPi * point.radius * point.radius);
     }
     s.margin = offset_;
-    hemisphere_.start(u + 2, s);
+    sampler_of(index).start(u + 2, s);
   }
   return s;
 }
 
 bool Points::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const {
   direction = {1, kUniform, 1};
-  return is_free(z0.normal) || hemisphere_.look(z0.normal, w, direction);
+  return is_free(z0.normal) || sampler_of(rows_.number(z0.film)).look(z0.normal, w, direction);
 }
 
 float Points::chord_density(const EyeStart& z0, const Vec3& w, float distance) const {

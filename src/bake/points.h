@@ -15,6 +15,7 @@ struct MeasuredPoint {
   Vec3 p;
   Vec3 normal{0, 0, 0};  // unit: it sees the hemisphere round it; zero: it sees all directions
   float radius = 0;      // of a disk across the normal, or without one of a ball, over which the mean is taken
+  float cone = kPi / 2;  // with a normal: the angle from it within which light counts
 };
 
 class Points final : public Sensor {
@@ -42,6 +43,8 @@ class Points final : public Sensor {
   SensorPoint point_in(uint32_t number, const Vec3& p) const override;
 
  private:
+  const HemisphereSampler& sampler_of(size_t point) const { return cones_.empty() ? hemisphere_ : cones_[point]; }
+
   std::vector<MeasuredPoint> points_;
   BallTree balls_;
   Outputs outputs_;
@@ -49,6 +52,7 @@ class Points final : public Sensor {
   bool responds_;
   float offset_;
   HemisphereSampler hemisphere_;
+  std::vector<HemisphereSampler> cones_;  // of each point, if any sees less than the hemisphere
   uint64_t hash_;
 };
 
