@@ -512,6 +512,14 @@ typedef int32_t bdpt_output_kind;
 #define BDPT_OUTPUT_OPENNESS_SH2 10      /* 9 planes */
 #define BDPT_OUTPUT_FRONTS 11            /* 1 plane: the part of all rays that do not meet the back of a one-sided surface:
                                             near 0 inside of closed meshes */
+/* Directions on a square of size x size texels, a plane each, in rows. (a, b) in [-1,1]² is the direction (a, b, c) with
+ * c = 1 - |a| - |b| where that is not below 0, else ((1 - |b|) sgn a, (1 - |a|) sgn b, c); world space, z the middle. Plane
+ * j size + i has the square of a from -1 + 2 i / size on and b from -1 + 2 j / size on, 2 / size wide. Means are over the
+ * exact solid angle of the square's directions; below the horizon of a normal all is 0. */
+#define BDPT_OUTPUT_RADIANCE_OCTAHEDRAL 12   /* size² planes: the mean of L over the texel's directions */
+#define BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL 13 /* size² planes: INT L max(0, w·m) dw, m the direction of the texel's middle */
+#define BDPT_OUTPUT_DISTANCE_OCTAHEDRAL 14   /* size² planes; in place of colours the means of d, of d², and of 1 - V, d the
+                                                distance of what is seen, reach where that is farther */
 /* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
  * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
  * 0.546274 (x² - y²). */
@@ -525,8 +533,11 @@ typedef struct bdpt_output_desc {
   uint32_t struct_size;
   bdpt_output_kind kind;
   bdpt_light_paths paths;
-  float reach;     /* of openness: lengths beyond which nothing counts, >= 0; 0 = without end */
+  float reach;     /* of openness: lengths beyond which nothing counts, >= 0; 0 = without end. Of distances: the largest,
+                      > 0 */
   uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
+  uint32_t size;   /* of octahedral outputs: texels along a side, [1,32]; 0 = 8. Of others: 0 */
+  uint32_t reserved;
 } bdpt_output_desc;
 
 /* An instance and its place in an atlas. */
@@ -548,7 +559,7 @@ typedef struct bdpt_lightmap_desc {
   uint32_t instance_stride;  /* bytes from one to the next; 0 = sizeof(bdpt_lightmap_instance) */
   const bdpt_lightmap_instance *instances;
   uint32_t output_count;     /* 0 = irradiance alone */
-  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  uint32_t output_stride;    /* bytes; 0 = struct_size of the first */
   const bdpt_output_desc *outputs;
   uint32_t rect[4];          /* x0, y0, x1, y1 in the film: only these texels are baked; four zeros = all. A plan without
                                 light subpaths gives them the bits of the whole bake; with light subpaths, of which a
@@ -606,7 +617,7 @@ typedef struct bdpt_points_desc {
   uint64_t point_stride;     /* bytes; 0 = sizeof(bdpt_point) */
   const bdpt_point *points;
   const bdpt_output_desc *outputs; /* irradiance of points without normal is an error */
-  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  uint32_t output_stride;    /* bytes; 0 = struct_size of the first */
   float offset;              /* points with a normal may lie on surfaces: their rays start so far off, along the normal;
                                 0 = 16 ulps of the largest coordinate of all points, which is enough unless a triangle
                                 there is larger than that */

@@ -76,7 +76,15 @@ TEST(ApiBake, LightmapFieldsAreChecked) {
   refused([](Asked& a) { a.instances[0].offset[0] = 2; });  // nothing within the atlas
   refused([&](Asked& a) { a.instances[0].instance = world.contents.thing; });
   EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "sphere")) << bdpt_last_error();
-  refused([](Asked& a) { a.add(BDPT_OUTPUT_FRONTS + 1); });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_DISTANCE_OCTAHEDRAL + 1); });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_DISTANCE_OCTAHEDRAL); });  // without reach
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].size = 33; });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].reserved = 1; });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_IRRADIANCE), a.outputs[0].size = 8; });
+  refused([](Asked& a) {
+    for (int i = 0; i < 2; ++i) a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[size_t(i)].size = 23;
+  });
+  EXPECT_OK(result([](Asked& a) { a.add(BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL), a.outputs[0].size = 32; }));
   refused([](Asked& a) { a.add(BDPT_OUTPUT_FLUENCE, 3); });
   refused([](Asked& a) { a.add(0), a.outputs[0].reach = -1; });
   refused([](Asked& a) { a.outputs.assign(200, make<bdpt_output_desc>()), a.outputs[0].struct_size = 3; });

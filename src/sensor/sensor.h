@@ -76,13 +76,14 @@ enum class Seen {
   Light,
   Openness,   // 1 where nothing is within reach
   Direction,  // the same times the direction, its three coordinates in place of colours
+  Distance,   // how far it is to what is seen, reach at most; its square; and 1 where anything is nearer
   Fronts,     // 1 but for backs that absorb all light; all rays count alike, whatever they measure
 };
 
 // A part of what a measurement is asked for: some planes of the film, and the light that counts for them.
 struct OutputPlanes {
   Seen seen = Seen::Light;
-  float reach = 3e38f;                  // of openness, in lengths
+  float reach = 3e38f;                  // of openness and distance, in lengths
   int first = 0, count = 1;             // planes
   bool direct = true, indirect = true;  // light that comes straight from where it is emitted; all else
   uint64_t groups = ~0ull;              // of lights, one bit each
