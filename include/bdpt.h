@@ -630,6 +630,49 @@ typedef struct bdpt_points_desc {
  * Ownership: copies; the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const bdpt_points_desc *desc, bdpt_sensor **sensor);
 
+/* An instance whose vertices are measured. */
+typedef struct bdpt_vertex_instance {
+  uint32_t struct_size;
+  uint32_t flip;             /* 1: the back receives, not the front */
+  bdpt_instance_id instance; /* of the builder that built the scene; a mesh */
+} bdpt_vertex_instance;
+
+typedef struct bdpt_vertices_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;    /* at least 1; each instance once */
+  const bdpt_vertex_instance *instances;
+  const bdpt_output_desc *outputs;
+  uint32_t output_count;      /* 0 = irradiance alone */
+  uint32_t output_stride;     /* bytes; 0 = struct_size of the first */
+  uint32_t instance_stride;   /* bytes; 0 = struct_size of the first */
+  uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
+} bdpt_vertices_desc;
+
+/* Creates a sensor of the vertices of meshes. Vertex j measures the mean E_j = INT h_j E dA / A_j, A_j = INT h_j dA, with
+ * the hat function h_j: 1 at the vertex, 0 at all others, linear on each triangle. The sum of A_j E_j (with geometric
+ * normals) is the light that falls on the surface. The film has vertices in rows, in order, those of the first instance
+ * first: a packed read of it begins with them, one after another. Vertices of one place and several indices measure apart;
+ * those of no triangle are not measured.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, an instance twice, no triangle with an area), _INVALID_ID, _MEMORY_LIMIT,
+ * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
+ * Source: Veach (1997), 10.6. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_create(bdpt_scene *scene, const bdpt_vertices_desc *desc, bdpt_sensor **sensor);
+
+/* Reads A_j of each vertex, in square world units; 0 where nothing is measured. capacity, in floats, is at least the number
+ * of vertices.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind). Threads: any thread. Callbacks: allowed.
+ * Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_read_areas(const bdpt_sensor *sensor, float *areas, uint64_t capacity);
+
+/* Turns means by hat functions, as a film of the sensor has them, into values at the vertices, in place: of all functions
+ * linear on each triangle the one nearest to what was measured, by least squares over the surface. Interpolated between
+ * vertices, these are the picture; the means themselves would blur it. channels floats to a vertex, 1 to 4096; capacity in
+ * floats. Values of vertices that are not measured stay. The same input gives the same bits.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind, and values that are not finite),
+ * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed. Ownership: writes values. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_solve(const bdpt_sensor *sensor, uint32_t channels, float *values, uint64_t capacity);
+
 /* --- Measurements of your own ---
  * Measurement j, plane c, is I = INT INT W(x) R_c(x,w) L(x,w) dw' dA: x in space or on a surface, w away from it, dw' the
  * projected solid angle with the normal at x (the solid angle where there is none), L the light that arrives at x from w.

@@ -327,6 +327,87 @@ TEST(ApiBake, AConeSeesLightWithinIt) {
   EXPECT_NE(seen[0], seen[2]);
 }
 
+// The floor by its vertices: what is refused; the light on it; the same bits from parts; and what the solver is given.
+TEST(ApiBake, VerticesMeasureAFloor) {
+  const auto create = [](const World& world, bdpt_sensor** sensor,
+                         const std::function<void(bdpt_vertices_desc&)>& change,
+                         std::vector<bdpt_vertex_instance> instances) {
+    bdpt_vertices_desc desc = make<bdpt_vertices_desc>();
+    desc.instances = instances.data(), desc.instance_count = uint32_t(instances.size());
+    change(desc);
+    return bdpt_vertices_create(world.scene.get(), &desc, sensor);
+  };
+  const World world;
+  bdpt_vertex_instance floor = make<bdpt_vertex_instance>();
+  floor.instance = world.contents.floor;
+  const auto refused = [&](const std::function<void(bdpt_vertices_desc&)>& change,
+                           const std::vector<bdpt_vertex_instance>& instances, bdpt_result expected) {
+    bdpt_sensor* sensor = nullptr;
+    EXPECT_EQ(expected, create(world, &sensor, change, instances)) << bdpt_last_error();
+    EXPECT_EQ(nullptr, sensor);
+  };
+  const auto as_is = [](bdpt_vertices_desc&) {};
+  bdpt_vertex_instance thing = floor, flipped = floor, unknown = floor;
+  thing.instance = world.contents.thing, flipped.flip = 2, unknown.instance.id ^= 0x7777;
+  refused(as_is, {}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {floor, floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {thing}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {flipped}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {unknown}, BDPT_ERROR_INVALID_ID);
+  refused([](auto& d) { d.geometric_normals = 2; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused([](auto& d) { d.instance_stride = 12; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused([](auto& d) { d.instances = nullptr; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused([](auto& d) { d.output_count = 1; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+
+  bdpt_sensor* made = nullptr;
+  ASSERT_OK(create(world, &made, as_is, {floor}));
+  const Sensor sensor(made);
+  float areas[4], values[12] = {};
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_read_areas(made, areas, 3));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_read_areas(world.sensor.get(), areas, 4));
+  ASSERT_OK(bdpt_vertices_read_areas(made, areas, 4));
+  EXPECT_NEAR(36, areas[0] + areas[1] + areas[2] + areas[3], 1e-4);  // a square of 6 x 6
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 0, values, 12));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 3, values, 11));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 3, nullptr, 12));
+  values[5] = kNan;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 3, values, 12));
+
+  // As much light as the lightmap finds.
+  const Sensor map = lightmap(world);
+  const auto measure = [&](bdpt_sensor* s, uint64_t n) {
+    const Film film = make_film(s);
+    EXPECT_OK(advance(make_render(world.scene.get(), s, film.get()).get(), n));
+    return pixels_of(film.get());
+  };
+  const std::vector<float> by_vertex = measure(made, 8192), by_texel = measure(map.get(), 512);
+  double vertex_sum = 0, texel_sum = 0;
+  for (size_t j = 0; j < 4; ++j) vertex_sum += double(areas[j]) * double(by_vertex[3 * j]);
+  for (size_t i = 0; i < by_texel.size(); i += 3) texel_sum += 36.0 / 64 * double(by_texel[i]);
+  EXPECT_NEAR(vertex_sum, texel_sum, 0.01 * texel_sum);
+
+  const auto bake = [&](uint32_t threads, uint64_t first, uint64_t count, const char* plan) {
+    bdpt_context_desc context = make<bdpt_context_desc>();
+    context.threads = threads;
+    const World own(&context);
+    bdpt_vertex_instance placed = floor;
+    placed.instance = own.contents.floor;
+    bdpt_sensor* s = nullptr;
+    EXPECT_OK(create(own, &s, as_is, {placed}));
+    const Sensor owner(s);
+    bdpt_render_desc desc = make<bdpt_render_desc>();
+    desc.first_pass = first, desc.plan = plan, desc.seed = 7;
+    Film film = make_film(s);
+    EXPECT_OK(advance(make_render(own.scene.get(), s, film.get(), &desc).get(), count));
+    return film;
+  };
+  for (const char* plan : {"one-to-one", "two-way", "pooled", "matrix"}) {
+    const Film whole = bake(1, 0, 16, plan), half = bake(2, 0, 8, plan), rest = bake(2, 8, 8, plan);
+    ASSERT_OK(bdpt_film_merge(half.get(), rest.get()));
+    EXPECT_EQ(pixels_of(whole.get()), pixels_of(half.get())) << plan;
+  }
+}
+
 // Texels of a part have the bits of the whole where no light subpath takes part.
 TEST(ApiBake, APartHasTheBitsOfTheWhole) {
   const World world;

@@ -131,7 +131,7 @@ TEST(BakeOctahedral, MomentsOfTheDistance) {
                                                    [](double d) { return double(d < 1.1); }};
   for (int c = 0; c < 3; ++c) {
     const std::vector<double> means = texel_means(4, [&](const Vec3& w) { return moments[c](distance(w)); });
-    const std::vector<Estimate> values = planes_of(walls, sensor, options_for({}, 1), 32768, c);
+    const std::vector<Estimate> values = planes_of(walls, sensor, options_for({}, 1), 40000, c);
     for (size_t i = 0; i < means.size(); ++i) {
       expect_value(values[i], means[i], 16 * 3, "box, plane " + std::to_string(i), 2e-3);
       EXPECT_LT(values[i].standard_error(), 0.01);

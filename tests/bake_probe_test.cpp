@@ -123,7 +123,7 @@ TEST(BakeProbe, ASkyByEachTechniqueEvenOutsideOfTheScene) {
   b.environment(Rgb(1));
   const ScenePointer scene = b.build();
   const SensorPointer sensor = points({ball(Vec3(0, 0.2f, 0), 0.3f), ball(Vec3(1.2f, 0, 0.3f), 0.6f),
-                                       ball(Vec3(0, 6, 0), 0.5f), ball(Vec3(0, -0.5f, 0), 0.4f)},
+                                       ball(Vec3(0, 2.6f, 0), 1), ball(Vec3(0, -0.5f, 0), 0.4f)},
                                       fluence_and_harmonics());
   std::vector<Way> all;
   for (int edges : {1, 0})

@@ -38,7 +38,7 @@ enum class Purpose : uint32_t {
   Partner = 1,    // at a vertex: eye: which light vertices it meets
   Scatter = 2,    // at a vertex: event, direction 2, roulette
   Connect = 3,    // at a vertex: eye: light and point on it (s = 1), of as many streams as wanted. Light: lens (t = 1),
-                // or places in volumes that are crossed (t = 0)
+                  // or of a local sensor: place in a volume, or choice of the measurement (t = 0)
 };
 inline uint32_t dimension_group(int vertex, Purpose purpose) { return uint32_t(vertex) * 4 + uint32_t(purpose); }
 

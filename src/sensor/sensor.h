@@ -69,6 +69,7 @@ struct Landing {
   float u, v;   // barycentric coordinates of the triangle's second and third vertex
   Vec3 p, ng, ns;
   Vec3 direction;  // unit, of the light
+  float chance;    // uniform in [0,1), where lands_by_chance()
 };
 
 // What an output is about: light; or what the first rays of eye subpaths see, whatever light there is.
@@ -152,6 +153,8 @@ class Sensor {
   // t = 0 on a surface of the scene.
   virtual bool is_surface() const { return false; }
   virtual bool land(const Landing&, SensorPoint&) const { return false; }
+  // Whether several measurements share a place, and land() chooses one of them.
+  virtual bool lands_by_chance() const { return false; }
   // t = 0 in space: z0 is uniform in a volume, and light that passes through is measured at one point of its way,
   // uniform along the chord. Densities of position are per volume then; the light's, per area across its ray, is
   // divided by the chord's length.

@@ -237,7 +237,8 @@ void Block::land(const Walker& w, const Hit& hit, const Vertex& y) {
   if (!takes(y.count, 0, w.sample)) return;
   SensorPoint z0;
   const uint64_t id = engine_.scene.instance_id(hit.instance);
-  if (engine_.sensor.land({hit.instance, hit.primitive, id, hit.u, hit.v, y.p, y.ng, y.ns, w.direction}, z0))
+  const float chance = engine_.sensor.lands_by_chance() ? draw(false, w.sample, y.count, Purpose::Connect)[0] : 0;
+  if (engine_.sensor.land({hit.instance, hit.primitive, id, hit.u, hit.v, y.p, y.ng, y.ns, w.direction, chance}, z0))
     add_arrival(w, z0, y.geometry, y.density);
 }
 
