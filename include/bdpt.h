@@ -526,15 +526,23 @@ typedef int32_t bdpt_output_kind;
 #define BDPT_OUTPUT_OPENNESS_SH2 10      /* 9 planes */
 #define BDPT_OUTPUT_FRONTS 11            /* 1 plane: the part of all rays that do not meet the back of a one-sided surface:
                                             near 0 inside of closed meshes */
+/* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
+ * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
+ * 0.546274 (x² - y²). */
+/* Directions on a square of size x size texels, a plane each, in rows. (a, b) in [-1,1]² is the direction (a, b, c) with
+ * c = 1 - |a| - |b| where that is not below 0, else ((1 - |b|) sgn a, (1 - |a|) sgn b, c); world space, z the middle. Plane
+ * j size + i has the square of a from -1 + 2 i / size on and b from -1 + 2 j / size on, 2 / size wide. Means are over the
+ * exact solid angle of the square's directions; below the horizon of a normal all is 0. */
+#define BDPT_OUTPUT_RADIANCE_OCTAHEDRAL 12   /* size² planes: the mean of L over the texel's directions */
+#define BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL 13 /* size² planes: INT L max(0, w·m) dw, m the direction of the texel's middle */
+#define BDPT_OUTPUT_DISTANCE_OCTAHEDRAL 14   /* size² planes; in place of colours the means of d, of d², and of 1 - V, d the
+                                                distance of what is seen, reach where that is farther */
 /* Light again. */
-#define BDPT_OUTPUT_UNSHADOWED 12        /* 1 plane: the direct part of E as if nothing were in its way [W/m²]; of all lights,
+#define BDPT_OUTPUT_UNSHADOWED 15        /* 1 plane: the direct part of E as if nothing were in its way [W/m²]; of all lights,
                                             found by direct lighting alone whatever techniques take part: costs no ray. A
                                             shadow mask of group g is IRRADIANCE with BDPT_LIGHT_PATHS_DIRECT over this, both
                                             of group g; 1 where both are 0 */
 #define BDPT_OUTPUT_NONE (-1)            /* bdpt_plane_info: a camera's pixels, or a measurement of your own */
-/* Real spherical harmonics, planes in the order (0,0), (1,-1), (1,0), (1,1), (2,-2) ... (2,2), with x, y, z of w:
- * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
- * 0.546274 (x² - y²). */
 
 typedef int32_t bdpt_light_paths;
 #define BDPT_LIGHT_PATHS_ALL 0
@@ -545,8 +553,11 @@ typedef struct bdpt_output_desc {
   uint32_t struct_size;
   bdpt_output_kind kind;
   bdpt_light_paths paths;
-  float reach;     /* of openness: lengths beyond which nothing counts, >= 0; 0 = without end */
+  float reach;     /* of openness: lengths beyond which nothing counts, >= 0; 0 = without end. Of distances: the largest,
+                      > 0 */
   uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
+  uint32_t size;   /* of octahedral outputs: texels along a side, [1,32]; 0 = 8. Of others: 0 */
+  uint32_t reserved;
 } bdpt_output_desc;
 
 /* What a plane of the film measures. With bdpt_scene_get_light it tells which lights are in it: those whose group's bit is
@@ -585,7 +596,7 @@ typedef struct bdpt_lightmap_desc {
   uint32_t instance_stride;  /* bytes from one to the next; 0 = sizeof(bdpt_lightmap_instance) */
   const bdpt_lightmap_instance *instances;
   uint32_t output_count;     /* 0 = irradiance alone */
-  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  uint32_t output_stride;    /* bytes; 0 = struct_size of the first */
   const bdpt_output_desc *outputs;
   uint32_t rect[4];          /* x0, y0, x1, y1 in the film: only these texels are baked; four zeros = all. A plan without
                                 light subpaths gives them the bits of the whole bake; with light subpaths, of which a
@@ -648,8 +659,10 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_buried(const bdpt_sensor *sen
 typedef struct bdpt_point {
   float position[3];
   float normal[3]; /* of any length: light from its side counts; zero: light from everywhere does */
-  float radius;    /* with a normal: the mean over a disk of this radius across it; 0 = the point itself */
-  uint32_t reserved;
+  float radius;    /* 0, or 1e-9 to 1e9 world units: the mean over a disk across the normal, or without one over a ball;
+                      0 = the point itself */
+  float cone;      /* with a normal: only light within so many degrees of it counts, (0,90], as if all else were black;
+                      0 = 90. Without one: 0 */
 } bdpt_point;
 
 typedef struct bdpt_points_desc {
@@ -659,17 +672,61 @@ typedef struct bdpt_points_desc {
   uint64_t point_stride;     /* bytes; 0 = sizeof(bdpt_point) */
   const bdpt_point *points;
   const bdpt_output_desc *outputs; /* irradiance of points without normal is an error */
-  uint32_t output_stride;    /* bytes; 0 = sizeof(bdpt_output_desc) */
+  uint32_t output_stride;    /* bytes; 0 = struct_size of the first */
   float offset;              /* points with a normal may lie on surfaces: their rays start so far off, along the normal;
                                 0 = 16 ulps of the largest coordinate of all points, which is enough unless a triangle
                                 there is larger than that */
 } bdpt_points_desc;
 
 /* Creates a sensor of points in space. The film has them in rows, in order: a packed read of it begins with the points,
- * one after another. Light subpaths do not hit points or disks by chance: t = 0 is left out.
+ * one after another. Light subpaths do not hit points or disks by chance: of these t = 0 is left out. They do cross
+ * balls, and are measured there by the length of their way (t = 0): what comes through glass from small lamps is found.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: copies; the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_points_create(bdpt_context *context, const bdpt_points_desc *desc, bdpt_sensor **sensor);
+
+/* An instance whose vertices are measured. */
+typedef struct bdpt_vertex_instance {
+  uint32_t struct_size;
+  uint32_t flip;             /* 1: the back receives, not the front */
+  bdpt_instance_id instance; /* of the builder that built the scene; a mesh */
+} bdpt_vertex_instance;
+
+typedef struct bdpt_vertices_desc {
+  uint32_t struct_size;
+  uint32_t instance_count;    /* at least 1; each instance once */
+  const bdpt_vertex_instance *instances;
+  const bdpt_output_desc *outputs;
+  uint32_t output_count;      /* 0 = irradiance alone */
+  uint32_t output_stride;     /* bytes; 0 = struct_size of the first */
+  uint32_t instance_stride;   /* bytes; 0 = struct_size of the first */
+  uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
+} bdpt_vertices_desc;
+
+/* Creates a sensor of the vertices of meshes. Vertex j measures the mean E_j = INT h_j E dA / A_j, A_j = INT h_j dA, with
+ * the hat function h_j: 1 at the vertex, 0 at all others, linear on each triangle. The sum of A_j E_j (with geometric
+ * normals) is the light that falls on the surface. The film has vertices in rows, in order, those of the first instance
+ * first: a packed read of it begins with them, one after another. Vertices of one place and several indices measure apart;
+ * those of no triangle are not measured.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, an instance twice, no triangle with an area), _INVALID_ID, _MEMORY_LIMIT,
+ * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
+ * Source: Veach (1997), 10.6. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_create(bdpt_scene *scene, const bdpt_vertices_desc *desc, bdpt_sensor **sensor);
+
+/* Reads A_j of each vertex, in square world units; 0 where nothing is measured. capacity, in floats, is at least the number
+ * of vertices.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind). Threads: any thread. Callbacks: allowed.
+ * Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_read_areas(const bdpt_sensor *sensor, float *areas, uint64_t capacity);
+
+/* Turns means by hat functions, as a film of the sensor has them, into values at the vertices, in place: of all functions
+ * linear on each triangle the one nearest to what was measured, by least squares over the surface. Interpolated between
+ * vertices, these are the picture; the means themselves would blur it. channels floats to a vertex, 1 to 4096; capacity in
+ * floats. Values of vertices that are not measured stay. The same input gives the same bits.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind, and values that are not finite),
+ * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed. Ownership: writes values. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_solve(const bdpt_sensor *sensor, uint32_t channels, float *values, uint64_t capacity);
 
 /* --- Measurements of your own ---
  * Measurement j, plane c, is I = INT INT W(x) R_c(x,w) L(x,w) dw' dA: x in space or on a surface, w away from it, dw' the

@@ -83,6 +83,14 @@ TEST(ApiBake, LightmapFieldsAreChecked) {
   refused([&](Asked& a) { a.instances[0].instance = world.contents.thing; });
   EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "sphere")) << bdpt_last_error();
   refused([](Asked& a) { a.add(BDPT_OUTPUT_UNSHADOWED + 1); });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_DISTANCE_OCTAHEDRAL); });  // without reach
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].size = 33; });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].reserved = 1; });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_IRRADIANCE), a.outputs[0].size = 8; });
+  refused([](Asked& a) {
+    for (int i = 0; i < 2; ++i) a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[size_t(i)].size = 23;
+  });
+  EXPECT_OK(result([](Asked& a) { a.add(BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL), a.outputs[0].size = 32; }));
   refused([](Asked& a) { a.add(BDPT_OUTPUT_FLUENCE, 3); });
   refused([](Asked& a) { a.add(0), a.outputs[0].reach = -1; });
   refused([](Asked& a) { a.outputs.assign(200, make<bdpt_output_desc>()), a.outputs[0].struct_size = 3; });
@@ -120,8 +128,15 @@ TEST(ApiBake, PointFieldsAreChecked) {
   refused([](auto&, auto& p, auto&) { p.normal[1] = kNan; });
   refused([](auto&, auto& p, auto&) { p.radius = -1; });
   refused([](auto&, auto& p, auto&) { p.normal[1] = 0; });  // irradiance needs one
-  refused([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 1; });
-  refused([](auto&, auto& p, auto&) { p.reserved = 1; });
+  EXPECT_OK(result([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 1; }));
+  EXPECT_OK(result([](auto&, auto& p, auto&) { p.cone = 90; }));
+  refused([](auto&, auto& p, auto&) { p.radius = 1e-10f; });
+  refused([](auto&, auto& p, auto&) { p.radius = 1e10f; });
+  refused([](auto&, auto& p, auto&) { p.radius = kNan; });
+  refused([](auto&, auto& p, auto&) { p.cone = -1; });
+  refused([](auto&, auto& p, auto&) { p.cone = 91; });
+  refused([](auto&, auto& p, auto&) { p.cone = kNan; });
+  refused([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.cone = 1; });
 }
 
 TEST(ApiBake, ALightmapTellsWhatItCovers) {
@@ -314,6 +329,143 @@ TEST(ApiBake, BitsDoNotDependOnThreadsRangesAndFiles) {
       EXPECT_EQ(pixels_of(whole.get(), BDPT_LAYER_COLOR, plane), pixels_of(film.get(), BDPT_LAYER_COLOR, plane))
           << plan << ", plane " << plane;
     std::remove(path.c_str());
+  }
+}
+
+// Balls: the same bits whatever the threads, blocks and ranges, and what a point in the middle measures.
+TEST(ApiBake, BallsHaveTheirBitsAndMeasureWhatPointsDo) {
+  std::vector<bdpt_point> places;
+  for (int i = 0; i < 40; ++i)
+    places.push_back({{-1 + 0.05f * float(i), 1, 0.5f}, {0, 0, 0}, 0.02f + 0.01f * float(i), 0});
+  const auto measure = [&](uint32_t threads, uint64_t first, uint64_t count, const char* plan, bool balls) {
+    bdpt_context_desc context = make<bdpt_context_desc>();
+    context.threads = threads;
+    const World world(&context);
+    std::vector<bdpt_point> own = places;
+    if (!balls)
+      for (bdpt_point& p : own) p.radius = 0;
+    bdpt_points_desc desc = make<bdpt_points_desc>();
+    desc.count = own.size(), desc.points = own.data();
+    bdpt_sensor* sensor = nullptr;
+    EXPECT_OK(bdpt_points_create(world.context.get(), &desc, &sensor));
+    const Sensor owner(sensor);
+    bdpt_render_desc render = make<bdpt_render_desc>();
+    render.first_pass = first, render.plan = plan, render.seed = 3;
+    Film film = make_film(sensor);
+    EXPECT_OK(advance(make_render(world.scene.get(), sensor, film.get(), &render).get(), count));
+    return film;
+  };
+  for (const char* plan : {"one-to-one", "two-way", "pooled", "matrix"}) {
+    const Film whole = measure(1, 0, 32, plan, true), half = measure(2, 0, 16, plan, true),
+               rest = measure(2, 16, 16, plan, true);
+    ASSERT_OK(bdpt_film_merge(half.get(), rest.get()));
+    EXPECT_EQ(pixels_of(whole.get()), pixels_of(half.get())) << plan;
+    EXPECT_EQ(0u, info_of(whole.get()).rejected);
+  }
+  const std::vector<float> a = pixels_of(measure(2, 0, 2048, "one-to-one", true).get()),
+                           b = pixels_of(measure(2, 0, 2048, "one-to-one", false).get());
+  for (size_t i = 0; i < 10; ++i) EXPECT_NEAR(b[3 * i], a[3 * i], 0.05 * double(b[3 * i])) << i;  // small ones
+}
+
+// A photometer's cone: of a uniform sky E = pi L sin²; and what is left and right of its edge.
+TEST(ApiBake, AConeSeesLightWithinIt) {
+  const World world;
+  std::vector<float> seen;
+  for (const float cone : {0.0f, 90.0f, 30.0f, 0.0f}) {
+    bdpt_point place = point_at(0.4f, 1, 0.2f, 1);
+    place.cone = cone;
+    bdpt_points_desc desc = make<bdpt_points_desc>();
+    desc.count = 1, desc.points = &place;
+    bdpt_sensor* sensor = nullptr;
+    ASSERT_OK(bdpt_points_create(world.context.get(), &desc, &sensor));
+    const Sensor owner(sensor);
+    const Film film = make_film(sensor);
+    ASSERT_OK(advance(make_render(world.scene.get(), sensor, film.get()).get(), 256));
+    seen.push_back(pixels_of(film.get())[0]);
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+  EXPECT_EQ(seen[0], seen[3]);
+  EXPECT_NE(seen[0], seen[2]);
+}
+
+// The floor by its vertices: what is refused; the light on it; the same bits from parts; and what the solver is given.
+TEST(ApiBake, VerticesMeasureAFloor) {
+  const auto create = [](const World& world, bdpt_sensor** sensor,
+                         const std::function<void(bdpt_vertices_desc&)>& change,
+                         std::vector<bdpt_vertex_instance> instances) {
+    bdpt_vertices_desc desc = make<bdpt_vertices_desc>();
+    desc.instances = instances.data(), desc.instance_count = uint32_t(instances.size());
+    change(desc);
+    return bdpt_vertices_create(world.scene.get(), &desc, sensor);
+  };
+  const World world;
+  bdpt_vertex_instance floor = make<bdpt_vertex_instance>();
+  floor.instance = world.contents.floor;
+  const auto refused = [&](const std::function<void(bdpt_vertices_desc&)>& change,
+                           const std::vector<bdpt_vertex_instance>& instances, bdpt_result expected) {
+    bdpt_sensor* sensor = nullptr;
+    EXPECT_EQ(expected, create(world, &sensor, change, instances)) << bdpt_last_error();
+    EXPECT_EQ(nullptr, sensor);
+  };
+  const auto as_is = [](bdpt_vertices_desc&) {};
+  bdpt_vertex_instance thing = floor, flipped = floor, unknown = floor;
+  thing.instance = world.contents.thing, flipped.flip = 2, unknown.instance.id ^= 0x7777;
+  refused(as_is, {}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {floor, floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {thing}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {flipped}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused(as_is, {unknown}, BDPT_ERROR_INVALID_ID);
+  refused([](auto& d) { d.geometric_normals = 2; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused([](auto& d) { d.instance_stride = 12; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused([](auto& d) { d.instances = nullptr; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+  refused([](auto& d) { d.output_count = 1; }, {floor}, BDPT_ERROR_INVALID_ARGUMENT);
+
+  bdpt_sensor* made = nullptr;
+  ASSERT_OK(create(world, &made, as_is, {floor}));
+  const Sensor sensor(made);
+  float areas[4], values[12] = {};
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_read_areas(made, areas, 3));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_read_areas(world.sensor.get(), areas, 4));
+  ASSERT_OK(bdpt_vertices_read_areas(made, areas, 4));
+  EXPECT_NEAR(36, areas[0] + areas[1] + areas[2] + areas[3], 1e-4);  // a square of 6 x 6
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 0, values, 12));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 3, values, 11));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 3, nullptr, 12));
+  values[5] = kNan;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_vertices_solve(made, 3, values, 12));
+
+  // As much light as the lightmap finds.
+  const Sensor map = lightmap(world);
+  const auto measure = [&](bdpt_sensor* s, uint64_t n) {
+    const Film film = make_film(s);
+    EXPECT_OK(advance(make_render(world.scene.get(), s, film.get()).get(), n));
+    return pixels_of(film.get());
+  };
+  const std::vector<float> by_vertex = measure(made, 8192), by_texel = measure(map.get(), 512);
+  double vertex_sum = 0, texel_sum = 0;
+  for (size_t j = 0; j < 4; ++j) vertex_sum += double(areas[j]) * double(by_vertex[3 * j]);
+  for (size_t i = 0; i < by_texel.size(); i += 3) texel_sum += 36.0 / 64 * double(by_texel[i]);
+  EXPECT_NEAR(vertex_sum, texel_sum, 0.01 * texel_sum);
+
+  const auto bake = [&](uint32_t threads, uint64_t first, uint64_t count, const char* plan) {
+    bdpt_context_desc context = make<bdpt_context_desc>();
+    context.threads = threads;
+    const World own(&context);
+    bdpt_vertex_instance placed = floor;
+    placed.instance = own.contents.floor;
+    bdpt_sensor* s = nullptr;
+    EXPECT_OK(create(own, &s, as_is, {placed}));
+    const Sensor owner(s);
+    bdpt_render_desc desc = make<bdpt_render_desc>();
+    desc.first_pass = first, desc.plan = plan, desc.seed = 7;
+    Film film = make_film(s);
+    EXPECT_OK(advance(make_render(own.scene.get(), s, film.get(), &desc).get(), count));
+    return film;
+  };
+  for (const char* plan : {"one-to-one", "two-way", "pooled", "matrix"}) {
+    const Film whole = bake(1, 0, 16, plan), half = bake(2, 0, 8, plan), rest = bake(2, 8, 8, plan);
+    ASSERT_OK(bdpt_film_merge(half.get(), rest.get()));
+    EXPECT_EQ(pixels_of(whole.get()), pixels_of(half.get())) << plan;
   }
 }
 

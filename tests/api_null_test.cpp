@@ -132,6 +132,16 @@ TEST(ApiNull, SceneSensorFilmAndRenderCallsRefuseIt) {
   EXPECT_INVALID(bdpt_points_create(world.context.get(), nullptr, &sensor));
   EXPECT_INVALID(bdpt_points_create(world.context.get(), &points, nullptr));
 
+  const bdpt_vertices_desc vertices = make<bdpt_vertices_desc>();
+  sensor = dirty<bdpt_sensor>();
+  EXPECT_INVALID(bdpt_vertices_create(nullptr, &vertices, &sensor));
+  EXPECT_EQ(nullptr, sensor);
+  EXPECT_INVALID(bdpt_vertices_create(world.scene.get(), nullptr, &sensor));
+  EXPECT_INVALID(bdpt_vertices_create(world.scene.get(), &vertices, nullptr));
+  float area = 0;
+  EXPECT_INVALID(bdpt_vertices_read_areas(nullptr, &area, 1));
+  EXPECT_INVALID(bdpt_vertices_solve(nullptr, 1, &area, 1));
+
   const bdpt_custom_desc custom = make<bdpt_custom_desc>();
   sensor = dirty<bdpt_sensor>();
   EXPECT_INVALID(bdpt_custom_create(nullptr, &custom, &sensor));

@@ -167,6 +167,22 @@ TEST(ApiStructSize, SceneSensorAndFilmStructsAreReadBySize) {
     bdpt_sensor_release(sensor);
     return result;
   });
+  bdpt_vertex_instance placed = make<bdpt_vertex_instance>();
+  placed.instance = world.contents.floor;
+  bdpt_vertices_desc vertices = make<bdpt_vertices_desc>();
+  vertices.instance_count = vertices.output_count = 1, vertices.instances = &placed, vertices.outputs = &output;
+  const auto create_vertices = [&](const bdpt_vertices_desc* d) {
+    bdpt_sensor* sensor = nullptr;
+    const bdpt_result result = bdpt_vertices_create(world.scene.get(), d, &sensor);
+    bdpt_sensor_release(sensor);
+    return result;
+  };
+  check<bdpt_vertices_desc>("bdpt_vertices_desc", 40, vertices, create_vertices);
+  check<bdpt_vertex_instance>("bdpt_vertex_instance", 16, placed, [&](bdpt_vertex_instance* i) {
+    bdpt_vertices_desc d = vertices;
+    d.instances = i;
+    return create_vertices(&d);
+  });
   bdpt_custom_desc custom = make<bdpt_custom_desc>();
   custom.measurements = 1;
   custom.start = [](void*, uint32_t, const uint64_t*, const float(*)[4], bdpt_measurement_start*) { return 0; };

@@ -44,6 +44,8 @@ BDPT_VERSION_1_SIZE(bdpt_lightmap_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_lightmap_info, 64);
 BDPT_VERSION_1_SIZE(bdpt_plane_info, 40);
 BDPT_VERSION_1_SIZE(bdpt_points_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_vertex_instance, 16);
+BDPT_VERSION_1_SIZE(bdpt_vertices_desc, 40);
 BDPT_VERSION_1_SIZE(bdpt_custom_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_film_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_film_info, 96);

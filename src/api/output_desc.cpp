@@ -5,11 +5,30 @@
 
 namespace bdpt {
 
+namespace {
+
+constexpr uint32_t kMostTexels = 32, kUsualTexels = 8;  // along a side
+
+void read_size(const Subject& subject, const bdpt_output_desc& desc, OutputDesc& output) {
+  subject.check_reserved("reserved", desc.reserved);
+  subject.check_range("size", desc.size, 0, kMostTexels);
+  if (is_octahedral(output.kind)) {
+    output.size = int(desc.size == 0 ? kUsualTexels : desc.size);
+  } else if (desc.size != 0) {
+    subject.refuse("size", "is ", desc.size, ", and the output is no octahedral one: give 0");
+  }
+  if (output.kind == OutputKind::DistanceOctahedral && desc.reach == 0)
+    subject.refuse("reach", "is 0: give the distance that stands for all that is farther");
+}
+
+}  // namespace
+
 std::vector<OutputDesc> read_outputs(const Subject& sensor, const bdpt_output_desc* outputs, uint32_t count,
                                      uint32_t stride, OutputKind otherwise) {
   if (count == 0) return {OutputDesc{otherwise}};
   require(outputs, "outputs");
   check_stride(sensor, "output_stride", stride, kVersion1Size<bdpt_output_desc>, 8);
+  if (stride == 0) stride = outputs->struct_size;  // the caller's, whatever this library's is
   std::vector<OutputDesc> result;
   int planes = 0;
   for (uint32_t i = 0; i < count && planes <= kMaxPlanes; ++i) {
@@ -25,7 +44,8 @@ std::vector<OutputDesc> read_outputs(const Subject& sensor, const bdpt_output_de
     output.indirect = d.paths != BDPT_LIGHT_PATHS_DIRECT;
     if (d.groups != 0) output.groups = d.groups;
     output.reach = d.reach;
-    planes += Outputs::planes_of(output.kind);
+    read_size(subject, d, output);
+    planes += Outputs::planes_of(output);
     result.push_back(output);
   }
   if (planes > kMaxPlanes)

@@ -10,6 +10,7 @@ using namespace bdpt;
 namespace {
 
 constexpr uint64_t kMaxPoints = uint64_t(1) << 32;
+constexpr float kLeastRadius = 1e-9f, kMostRadius = 1e9f;  // densities are floats
 
 MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
   const std::string name = "point " + std::to_string(number);
@@ -17,13 +18,17 @@ MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
   subject.check_range("position", point.position, 3, -double(kMaxCoordinate), double(kMaxCoordinate));
   subject.check_finite("normal", point.normal, 3);
   subject.check_not_negative("radius", &point.radius, 1);
-  subject.check_reserved("reserved", point.reserved);
   const Imath::V3d normal(point.normal[0], point.normal[1], point.normal[2]);
   MeasuredPoint p{to_vec3(point.position)};
   if (normal.length() > 0) p.normal = Vec3(normal / normal.length());
-  if (normal.length() == 0 && point.radius > 0)
-    subject.refuse("radius", "is ", point.radius, " although the point has no normal: a disk needs one");
+  if (point.radius > 0 && !(point.radius >= kLeastRadius && point.radius <= kMostRadius))
+    subject.refuse("radius", "is ", point.radius, ": give 0, or ", kLeastRadius, " to ", kMostRadius);
   p.radius = point.radius;
+  if (!(point.cone >= 0 && point.cone <= 90))
+    subject.refuse("cone", "is ", point.cone, ": give degrees of (0,90], or 0 for 90");
+  if (point.cone > 0 && normal.length() == 0)
+    subject.refuse("cone", "is ", point.cone, " although the point has no normal: give it one, or 0");
+  if (point.cone > 0 && point.cone < 90) p.cone = float(std::max(double(point.cone), 1e-3) * M_PI / 180);
   return p;
 }
 

@@ -37,8 +37,8 @@ Custom::Custom(std::shared_ptr<const Measurement> measurement, uint64_t count, i
                       measurement_->has_landing());
 }
 
-EyeStart Custom::start_at(int x, int y, const float u[4]) const {
-  const SamplePlace place{x, y, {u[0], u[1], u[2], u[3]}};
+EyeStart Custom::start_at(int x, int y, const float u[5]) const {
+  const SamplePlace place{x, y, {u[0], u[1], u[2], u[3], 0}};
   EyeStart start;
   start_many(1, &place, &start);
   return start;

@@ -40,7 +40,7 @@ class Custom final : public Sensor {
   const std::vector<OutputPlanes>& outputs() const override { return outputs_; }
   bool responds() const override { return measurement_->has_response(); }
 
-  EyeStart start_at(int x, int y, const float u[4]) const override;
+  EyeStart start_at(int x, int y, const float u[5]) const override;
   void start_many(size_t n, const SamplePlace* places, EyeStart* starts) const override;
   bool look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const override;
   bool land(const Landing& landing, SensorPoint& z0) const override;

@@ -38,7 +38,7 @@ Lightmap::Lightmap(std::shared_ptr<const Scene> scene, const LightmapDesc& desc,
   }
 }
 
-EyeStart Lightmap::start_at(int x, int y, const float u[4]) const {
+EyeStart Lightmap::start_at(int x, int y, const float u[5]) const {
   const TexelMap::Point point = texels_.sample(x, y, double(u[0]), u[1]);
   const LightmapInstance& placed = texels_.placed(point.placed);
   Surface surface{};

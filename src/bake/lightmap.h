@@ -33,7 +33,7 @@ class Lightmap final : public Sensor {
   const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
   bool responds() const override { return responds_; }
 
-  EyeStart start_at(int x, int y, const float u[4]) const override;
+  EyeStart start_at(int x, int y, const float u[5]) const override;
   bool look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const override;
   bool land(const Landing& landing, SensorPoint& z0) const override;
   void respond(const SensorPlace& place, const Vec3& w, float* response) const override;

@@ -15,8 +15,9 @@ void real_sh(const Vec3& w, int planes, float* y) {
   y[8] = c22 * (w.x * w.x - w.y * w.y);
 }
 
-int Outputs::planes_of(OutputKind kind) {
-  switch (kind) {
+int Outputs::planes_of(const OutputDesc& output) {
+  if (is_octahedral(output.kind)) return output.size * output.size;
+  switch (output.kind) {
     case OutputKind::RadianceSh1:
     case OutputKind::IrradianceSh1:
     case OutputKind::OpennessSh1:
@@ -40,6 +41,8 @@ Seen seen_by(OutputKind kind) {
       return Seen::Openness;
     case OutputKind::BentNormal:
       return Seen::Direction;
+    case OutputKind::DistanceOctahedral:
+      return Seen::Distance;
     case OutputKind::Fronts:
       return Seen::Fronts;
     case OutputKind::Unshadowed:
@@ -55,12 +58,13 @@ Outputs::Outputs(const std::vector<OutputDesc>& outputs) : descs_(outputs) {
   int first = 0;
   for (const OutputDesc& o : descs_) {
     OutputPlanes planes{};
-    planes.first = first, planes.count = planes_of(o.kind);
+    planes.first = first, planes.count = planes_of(o);
     planes.direct = o.direct, planes.indirect = o.indirect, planes.groups = o.groups;
     planes.kind = int(o.kind);
     planes.seen = seen_by(o.kind);
     if (o.reach > 0) planes.reach = o.reach;
     list_.push_back(planes);
+    octahedra_.push_back(is_octahedral(o.kind) ? Octahedron(o.size) : Octahedron());
     first += planes.count;
   }
 }
@@ -93,6 +97,17 @@ void Outputs::evaluate(const Vec3& w, const Vec3& shading, float cosine, float* 
       case OutputKind::Fronts:
         out[0] = 1;
         break;
+      case OutputKind::RadianceOctahedral:
+      case OutputKind::DistanceOctahedral: {
+        std::fill(out, out + planes, 0.0f);
+        const int texel = octahedra_[i].texel(w);
+        out[texel] = per_cosine / octahedra_[i].angles[size_t(texel)];
+        break;
+      }
+      case OutputKind::IrradianceOctahedral:
+        for (int p = 0; p < planes; ++p)
+          out[p] = std::max(0.0f, dot(w, octahedra_[i].directions[size_t(p)])) * per_cosine;
+        break;
       case OutputKind::RadianceSh1:
       case OutputKind::RadianceSh2:
       case OutputKind::IrradianceSh1:
@@ -113,6 +128,8 @@ void Outputs::evaluate(const Vec3& w, const Vec3& shading, float cosine, float* 
 uint64_t Outputs::hash() const {
   uint64_t h = hash_values(descs_.size());
   for (const OutputDesc& o : descs_) h = hash_combine(h, hash_values(int(o.kind), o.direct, o.indirect, o.groups));
+  for (const OutputDesc& o : descs_)
+    if (o.size > 0) h = hash_combine(h, hash_values(o.size));
   for (const OutputDesc& o : descs_)
     if (o.reach > 0) h = hash_bytes(&o.reach, sizeof(o.reach), h);
   return h;

@@ -290,6 +290,12 @@ float Lights::direction_density(const LightPoint& y0, const Vec3& w) const {
   return 0;
 }
 
+float Lights::disk_distance(const Vec3& p, const Vec3& w) const {
+  const Vec3 from = p - center_;
+  const float along = dot(from, w);
+  return length_squared(from - w * along) < radius_ * radius_ ? radius_ - along : 0;
+}
+
 float Lights::position_density(const LightPoint& y0, const LightChoice& by) const {
   const float chosen = choice(y0.light, by) * at(y0.light).inverse_area;
   return y0.infinite ? chosen * 0.25f * kInvPi : chosen;

@@ -109,6 +109,8 @@ class Lights {
   Rgb environment_radiance() const { return environment_radiance_; }
   // P_sigma-perp(y0 -> x) for w from y0 to x (unit).
   float direction_density(const LightPoint& y0, const Vec3& w) const;
+  // How far p is from the disk on which the environment's rays along -w (unit) start; not above 0 where none passes p.
+  float disk_distance(const Vec3& p, const Vec3& w) const;
   // P_A(y0).
   float position_density(const LightPoint& y0, const LightChoice& by) const;
   // P_A^d(y0) at x of a light that is chosen with this probability.

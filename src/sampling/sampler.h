@@ -34,10 +34,11 @@ inline Stream another(Stream stream, uint32_t number) {
 // Group of four for the start of a subpath, and per vertex.
 enum class Purpose : uint32_t {
   Start = 0,      // eye: film 2, lens 2. Light: choice of light, position 2
-  Direction = 1,  // light: first direction 2
+  Direction = 1,  // light: first direction 2; eye: place in a volume 1
   Partner = 1,    // at a vertex: eye: which light vertices it meets
   Scatter = 2,    // at a vertex: event, direction 2, roulette
-  Connect = 3,    // at a vertex: eye: light and point on it (s = 1), of as many streams as wanted. Light: lens (t = 1)
+  Connect = 3,    // at a vertex: eye: light and point on it (s = 1), of as many streams as wanted. Light: lens (t = 1),
+                  // or of a local sensor: place in a volume, or choice of the measurement (t = 0)
 };
 inline uint32_t dimension_group(int vertex, Purpose purpose) { return uint32_t(vertex) * 4 + uint32_t(purpose); }
 

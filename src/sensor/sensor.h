@@ -29,7 +29,7 @@ struct SensorPlace {
 struct EyeStart : SensorPlace {
   Vec3 direction;             // unit
   float cosine;               // of direction with normal; 1 for a point in space
-  float density_position;     // P_A(z0); of a pinhole the Dirac's coefficient, 1
+  float density_position;     // P_A(z0); of a pinhole the Dirac's coefficient, 1; in a volume per volume
   float density_direction;    // P_sigma-perp(z0 -> z1)
   float weight;               // alpha_2 = W_e / (P_A P_sigma-perp)
   float weight_position = 1;  // alpha_1 = W_e^(0) / P_A
@@ -43,10 +43,16 @@ struct SensorPoint : SensorPlace {
   float density_direction;  // P_sigma-perp(z0 -> x)
 };
 
-// A measurement, and the four uniform numbers of a sample of it.
+// A measurement, and the uniform numbers of a sample of it; the fifth for a place in a volume.
 struct SamplePlace {
   int x, y;
-  float u[4];
+  float u[5];
+};
+
+// A light ray within the volume of a measurement.
+struct Crossing {
+  uint32_t number;    // of the measurement
+  double begin, end;  // along the ray, from its origin on; not clipped by what the ray hits
 };
 
 // A direction in which the z0 of a local sensor looks.
@@ -63,6 +69,7 @@ struct Landing {
   float u, v;   // barycentric coordinates of the triangle's second and third vertex
   Vec3 p, ng, ns;
   Vec3 direction;  // unit, of the light
+  float chance;    // uniform in [0,1), where lands_by_chance()
 };
 
 // What an output is about: light; or what the first rays of eye subpaths see, whatever light there is.
@@ -70,6 +77,7 @@ enum class Seen {
   Light,
   Openness,    // 1 where nothing is within reach
   Direction,   // the same times the direction, its three coordinates in place of colours
+  Distance,    // how far it is to what is seen, reach at most; its square; and 1 where anything is nearer
   Fronts,      // 1 but for backs that absorb all light; all rays count alike, whatever they measure
   Unshadowed,  // direct light as if nothing were in its way
 };
@@ -78,7 +86,7 @@ enum class Seen {
 struct OutputPlanes {
   int kind = -1;  // as its sensor calls it; -1 = has no name
   Seen seen = Seen::Light;
-  float reach = 3e38f;                  // of openness, in lengths
+  float reach = 3e38f;                  // of openness and distance, in lengths
   int first = 0, count = 1;             // planes
   bool direct = true, indirect = true;  // light that comes straight from where it is emitted; all else
   uint64_t groups = ~0ull;              // of lights, one bit each
@@ -137,8 +145,9 @@ class Sensor {
   virtual void find(uint64_t number, int& x, int& y) const {
     x = int(number % uint64_t(width())), y = int(number / uint64_t(width()));
   }
-  // Starts an eye subpath of one of them with four uniform numbers: place 2, direction 2.
-  virtual EyeStart start_at(int, int, const float[4]) const { return {}; }
+  // Starts an eye subpath of one of them with uniform numbers: place 2, direction 2, and one more for a place in a
+  // volume.
+  virtual EyeStart start_at(int, int, const float[5]) const { return {}; }
   virtual void start_many(size_t n, const SamplePlace* places, EyeStart* starts) const {
     for (size_t i = 0; i < n; ++i) starts[i] = start_at(places[i].x, places[i].y, places[i].u);
   }
@@ -149,6 +158,19 @@ class Sensor {
   // t = 0 on a surface of the scene.
   virtual bool is_surface() const { return false; }
   virtual bool land(const Landing&, SensorPoint&) const { return false; }
+  // Whether several measurements share a place, and land() chooses one of them.
+  virtual bool lands_by_chance() const { return false; }
+  // t = 0 in space: z0 is uniform in a volume, and light that passes through is measured at one point of its way,
+  // uniform along the chord. Densities of position are per volume then; the light's, per area across its ray, is
+  // divided by the chord's length.
+  virtual bool is_volume() const { return false; }
+  // One over the length of that chord, for light that comes to z0 along -w (unit) from so far away; 0 where z0 is in
+  // none.
+  virtual float chord_density(const EyeStart&, const Vec3&, float) const { return 0; }
+  // Adds the measurements whose volumes a ray crosses before tmax.
+  virtual void cross(const Vec3&, const Vec3&, float, std::vector<Crossing>&) const {}
+  // A point of the volume of a measurement, for t = 0: with W_e and densities per volume.
+  virtual SensorPoint point_in(uint32_t, const Vec3&) const { return {}; }
 
  private:
   inline static const std::vector<OutputPlanes> kOne{OutputPlanes{}};

@@ -92,13 +92,15 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
                                                              : engine_.max_light;
   start(pixel_samples_.size(), pixel_samples_.size() * lights);
   places_.clear();
+  const bool in_volumes = engine_.sensor.is_volume();
   for (uint32_t sample = 0; sample < pixel_samples_.size(); ++sample) {
     const auto& [p, x, y] = pixel_samples_[sample];
     const uint64_t number = engine_.eye_number(x, y);
     const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
     const Four u = engine_.draw_film(stream, p, number);
     if (engine_.local)
-      places_.push_back({x, y, {u[0], u[1], u[2], u[3]}});
+      places_.push_back(
+          {x, y, {u[0], u[1], u[2], u[3], in_volumes ? draw(true, sample, 0, Purpose::Direction)[0] : 0}});
     else
       start_eye(sample, engine_.sensor.start({within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, bounds),
                 most_eye);
@@ -151,7 +153,7 @@ Vertex Block::sensor_vertex(uint32_t sample) const {
   z.p = z0.p;
   z.density = z0.density_position;
   z.ng = z.ns = z0.normal;
-  z.technique = strategy_->classes.t0;
+  z.sums = strategy_->classes.t0;  // what scatter_to_eye tells is u_0's part
   z.throughput = Rgb(z0.weight_position);
   z.previous_index = kNoVertex;
   z.count = 1;
@@ -339,7 +341,7 @@ size_t Block::memory() const {
          (rays_.capacity() + next_rays_.capacity() + shadow_rays_.capacity()) * sizeof(Ray) +
          connections_.capacity() * sizeof(Connection) + hits_.capacity() * sizeof(Hit) +
          arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb) +
-         eye_weights_.capacity() * sizeof(float) + responses_.memory() +
+         eye_weights_.capacity() * sizeof(float) + responses_.memory() + crossings_.capacity() * sizeof(Crossing) +
          pixel_samples_.capacity() * sizeof(PixelSample) + places_.capacity() * sizeof(SamplePlace) +
          kept_.capacity() * sizeof(Contribution) + plan_memory_;
 }

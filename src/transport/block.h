@@ -172,8 +172,11 @@ class Block {
   void start_eye(uint32_t sample, const EyeStart& start, uint32_t most);
   // The z_0 of a local sensor.
   Vertex sensor_vertex(uint32_t sample) const;
-  // f_s at z for light from w (unit), and the cosine there.
-  bool scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, Scattering& scattering, float& cosine) const;
+  // f_s at z for light from w (unit) and so far away, and the cosine there.
+  bool scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, float distance, Scattering& scattering,
+                      float& cosine) const;
+  // The density of z_0 along the way of light that comes from there; 1 where z_0 is in no volume.
+  float along_way(const EyeStart& z0, const Vec3& w, float distance) const;
   void start_light(uint32_t light, uint32_t most);
   FilmPosition spread(const Four& u) const;
   EyeStart start_anywhere(const Four& u) const;
@@ -193,6 +196,7 @@ class Block {
   // What the first ray of an eye subpath sees, for outputs that are not about light.
   void see(const Walker& walker, const Ray& ray, const Hit& hit);
   void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
+  void cross_sensor(const Walker& walker, const Ray& ray, float tmax);
   void land(const Walker& walker, const Hit& hit, const Vertex& y);
   // t = 0 at z_0, with the edge of the light subpath there and its density.
   void add_arrival(const Walker& walker, const SensorPoint& z0, float geometry, float density);
@@ -259,6 +263,7 @@ class Block {
   std::vector<Ray> shadow_rays_;
   std::vector<Connection> connections_;
   std::vector<uint8_t> blocked_;
+  std::vector<Crossing> crossings_;
   TechniqueShares shares_;                          // of the contribution in hand
   std::vector<TechniqueShares> connection_shares_;  // of an engine that tells them
   std::vector<PathVertex> path_;

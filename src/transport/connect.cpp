@@ -15,10 +15,12 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   const Vec3 edge = z.p - y.p;
   const float d2 = length_squared(edge);
   if (!(d2 > 0)) return;
-  const Vec3 w = edge * (1 / std::sqrt(d2));
+  const float distance = std::sqrt(d2);
+  const Vec3 w = edge * (1 / distance);
   Scattering at_y, at_z;
   float z_cosine;
-  if (!scatter(y, w, TransportMode::Importance, at_y) || !scatter_to_eye(z, sample, -w, at_z, z_cosine)) return;
+  if (!scatter(y, w, TransportMode::Importance, at_y) || !scatter_to_eye(z, sample, -w, distance, at_z, z_cosine))
+    return;
   const float geometry = absdot(y.ng, w) * z_cosine / d2;
   Rgb c = y.throughput * at_y.f * (at_z.f * z.throughput) * geometry;  // (10.8)
   if (is_black(c)) return;
@@ -32,7 +34,8 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
     weight = h.weight(at_z.next * edge / y.density * h.combine(technique, at_y.previous * sums),
                       at_y.next * edge / z.density * h.combine(z.technique, at_z.previous * z.sums));
   } else if (!engine_.unweighted) {
-    const Edge e{at_y.next * geometry, at_z.previous * z.geometry, at_z.next * geometry, at_y.previous * y.geometry};
+    const Edge e{at_y.next * geometry * (z.is_sensor() ? at_z.previous : 1), at_z.previous * z.geometry,
+                 at_z.next * geometry, at_y.previous * y.geometry};
     weight =
         path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite, light, *strategy_);
   }
@@ -41,7 +44,7 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count, z.count, y.group);
 }
 
-bool Block::scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, Scattering& scattering,
+bool Block::scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, float distance, Scattering& scattering,
                            float& cosine) const {
   if (!z.is_sensor()) {
     cosine = absdot(z.ng, w);
@@ -49,9 +52,18 @@ bool Block::scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, Scat
   }
   SensorDirection toward;
   if (!engine_.sensor.look(eye_.starts[sample], w, toward)) return false;
-  scattering = {Rgb(toward.importance), toward.density, 0};
+  scattering = {Rgb(toward.importance), toward.density, along_way(eye_.starts[sample], w, distance)};
   cosine = toward.cosine;
   return true;
+}
+
+float Block::along_way(const EyeStart& z0, const Vec3& w, float distance) const {
+  if (!engine_.cross) return 1;
+  if (std::isinf(distance)) {  // rays of a light without a point start on its disk
+    distance = engine_.scene.lights().disk_distance(z0.p, w);
+    if (!(distance > 0)) return 0;
+  }
+  return engine_.sensor.chord_density(z0, w, distance);
 }
 
 void Block::connect_to_light(const Vertex& z, uint32_t sample) {
@@ -111,7 +123,7 @@ Rgb Block::direct_throughput(const Vertex& z, uint32_t sample, const DirectLight
   const LightPoint& y0 = light.y0;
   const Vec3 w = light.direction;
   float z_cosine;
-  if (!scatter_to_eye(z, sample, w, at_z, z_cosine)) return Rgb();
+  if (!scatter_to_eye(z, sample, w, y0.infinite ? kInfinity : light.distance, at_z, z_cosine)) return Rgb();
   const float y_cosine = y0.has_area ? absdot(y0.normal, w) : 1;
   geometry = y0.infinite ? z_cosine : z_cosine * y_cosine / (light.distance * light.distance);
   return z.throughput * at_z.f * light.radiance * (geometry / light.density);
@@ -173,7 +185,7 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
     return c * h.weight(s0, others * (position / density));
   }
   Edge e;
-  e.light_at_z = direction * geometry;
+  e.light_at_z = direction * geometry * (z.is_sensor() ? at_z.previous : 1);
   e.light_before_z = at_z.previous * z.geometry;
   const PathVertex start{position, at_z.next * geometry, false};
   return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable,

@@ -53,6 +53,7 @@ void Engine::limit_subpaths() {
   hit_sensor = false;
   for (uint32_t s = 2; s < 32; ++s) hit_sensor = hit_sensor || mask.allows(int(s), 0);
   land = hit_sensor && sensor.is_surface();
+  cross = hit_sensor && sensor.is_volume();
   hit_sensor = hit_sensor && !sensor.is_surface();
   if (scene.lights().empty()) max_eye = max_light = 0;
 }

@@ -47,7 +47,8 @@ struct Engine {
   bool unweighted;
   uint32_t max_eye, max_light;  // vertices of the subpaths; 0 = none are traced
   bool hit_sensor;              // whether t = 0 is done at all,
-  bool land;                    // and where light lands on surfaces
+  bool land;                    // and where light lands on surfaces,
+  bool cross;                   // or passes through volumes
   RayRecorder* recorder = nullptr;
   ShadowRoulette roulette;
   SampleRates rates;

@@ -30,7 +30,10 @@ void Block::extend() {
       for (size_t i = 0; i < walkers_.size(); ++i) {
         const Walker& w = walkers_[i];
         ++(w.eye ? stats_.eye_rays : stats_.light_rays);
-        if (!w.eye && engine_.hit_sensor) hit_sensor(w, rays_[i], hits_[i].instance == kMiss ? kInfinity : hits_[i].t);
+        if (!w.eye && engine_.hit_sensor) {
+          const float tmax = hits_[i].instance == kMiss ? kInfinity : hits_[i].t;
+          engine_.cross ? cross_sensor(w, rays_[i], tmax) : hit_sensor(w, rays_[i], tmax);
+        }
         if (w.eye && w.count == 1 && responses_.sees()) see(w, rays_[i], hits_[i]);
         if (hits_[i].instance == kMiss)
           escape(w);
@@ -101,9 +104,10 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.density = density;
   v.ng = surface.ng;
   v.geometry = geometry;
+  if (engine_.cross && w.eye && w.count == 1) v.geometry *= along_way(eye_.starts[w.sample], w.direction, length(edge));
   v.ns = surface.ns;
-  v.sums = geometry / w.density * w.sums;
-  v.outer = geometry / w.density * w.outer;
+  v.sums = v.geometry / w.density * w.sums;
+  v.outer = v.geometry / w.density * w.outer;
   v.previous = -w.direction;
   v.tangent = surface.tangent;
   v.previous_cosine_g = -dot(v.ng, w.direction);
@@ -163,6 +167,7 @@ void Block::escape(const Walker& w) {
   Vertex z{};
   z.geometry = w.cosine;  // a direction has no area: the edge's factor is the cosine at its other end
   z.density = w.projected * z.geometry;
+  if (engine_.cross && w.count == 1) z.geometry *= along_way(eye_.starts[w.sample], w.direction, kInfinity);
   z.sums = w.count == 1 && !engine_.local ? 0 : z.geometry / w.density * w.sums;  // no (2,0): see hit_sensor
   z.previous = -w.direction;
   z.throughput = w.throughput;
@@ -212,12 +217,32 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   if (density > 0 && std::isfinite(density)) add_arrival(w, z0, geometry, density);
 }
 
+// t = 0 in volumes: counted at one point of the way through each, if the light comes so far.
+void Block::cross_sensor(const Walker& w, const Ray& ray, float tmax) {
+  const uint32_t s = w.count + 1;
+  if (!takes(s, 0, w.sample)) return;
+  crossings_.clear();
+  engine_.sensor.cross(ray.origin, ray.direction, tmax, crossings_);
+  for (const Crossing& c : crossings_) {
+    const double length = c.end - c.begin;
+    const Four u = engine_.draw(another(light_.streams[w.sample], c.number + 1), w.count, Purpose::Connect);
+    const double t = c.begin + double(u[0]) * length;
+    if (!(t < double(tmax))) continue;
+    SensorPoint z0 = engine_.sensor.point_in(c.number, ray.origin + ray.direction * float(t));
+    z0.importance *= float(length);
+    const float geometry = w.infinite ? 1 : w.cosine / length_squared(z0.p - w.origin);
+    const float density = float(double(w.projected * geometry) / length);
+    if (density > 0 && std::isfinite(density)) add_arrival(w, z0, geometry, density);
+  }
+}
+
 // t = 0 on a surface of the scene, that of y: light counts there, and scatters.
 void Block::land(const Walker& w, const Hit& hit, const Vertex& y) {
   if (!takes(y.count, 0, w.sample)) return;
   SensorPoint z0;
   const uint64_t id = engine_.scene.instance_id(hit.instance);
-  if (engine_.sensor.land({hit.instance, hit.primitive, id, hit.u, hit.v, y.p, y.ng, y.ns, w.direction}, z0))
+  const float chance = engine_.sensor.lands_by_chance() ? draw(false, w.sample, y.count, Purpose::Connect)[0] : 0;
+  if (engine_.sensor.land({hit.instance, hit.primitive, id, hit.u, hit.v, y.p, y.ng, y.ns, w.direction, chance}, z0))
     add_arrival(w, z0, y.geometry, y.density);
 }
 

@@ -52,18 +52,36 @@ class Responses {
   void see(uint32_t sample, const EyeStart& z0, float distance, bool back, float weight, Add&& add) {
     const float* response = first_response(sample, z0);
     for (const OutputPlanes& o : sensor_.outputs()) {
-      if (o.seen == Seen::Light || o.seen == Seen::Unshadowed) continue;
-      if (o.seen == Seen::Fronts ? back : distance <= o.reach) continue;
+      const Rgb seen = value_of(o, z0.direction, distance, back);
+      if (is_black(seen)) continue;
       for (int plane = o.first; plane < o.first + o.count; ++plane) {
         const float v = o.seen == Seen::Fronts ? 1 : weight * response[plane];
-        const Vec3& d = z0.direction;
-        add(size_t(plane), o.seen == Seen::Direction ? Rgb(d.x, d.y, d.z) * v : Rgb(v));
+        if (v != 0) add(size_t(plane), seen * v);
       }
     }
   }
   size_t memory() const { return (starts_.capacity() + response_.capacity()) * sizeof(float); }
 
  private:
+  static Rgb value_of(const OutputPlanes& o, const Vec3& direction, float distance, bool back) {
+    const bool near = distance <= o.reach;
+    switch (o.seen) {
+      case Seen::Light:
+      case Seen::Unshadowed:
+        break;
+      case Seen::Openness:
+        return Rgb(near ? 0.0f : 1.0f);
+      case Seen::Direction:
+        return near ? Rgb() : Rgb(direction.x, direction.y, direction.z);
+      case Seen::Distance: {
+        const float d = near ? distance : o.reach;
+        return {d, d * d, near ? 1.0f : 0.0f};
+      }
+      case Seen::Fronts:
+        return Rgb(back ? 0.0f : 1.0f);
+    }
+    return Rgb();
+  }
   const float* first_response(uint32_t sample, const EyeStart& z0) {
     if (!responds_) return response_.data();
     float* known = starts_.data() + sample * planes_;

@@ -27,7 +27,7 @@ struct Vertex {
   Vec3 p;
   float density;           // P_A of this vertex, as its own side samples it
   Vec3 ng;                 // geometric normal, on the surface's front
-  float geometry;          // G(this <-> previous)
+  float geometry;          // G(this <-> previous); of z_1, if z_0 is in a volume, over the chord's length there
   Vec3 ns;                 // shading normal
   float sums;              // v_i of mis.h
   Vec3 previous;           // unit direction toward the previous vertex
