@@ -146,6 +146,24 @@ TEST_F(ToolBake, WhatGoesOnHasTheBitsOfTheWhole) {
   EXPECT_NE(0, bake(half));
 }
 
+TEST_F(ToolBake, NoiseAndTimeAreLimitsForSeveralNodes) {
+  testing::internal::CaptureStdout();
+  const int code = bake({"a.exr", "--resolution", "16", "--noise", "0.02", "--json", "--film", file("a.film")});
+  const std::string report = testing::internal::GetCapturedStdout();
+  ASSERT_EQ(0, code) << error_;
+  const auto number = [&](const std::string& key) {
+    const std::size_t at = report.find("\"" + key + "\": ");
+    return at == std::string::npos ? -1 : std::stod(report.substr(at + key.size() + 4));
+  };
+  EXPECT_GT(number("relative_error"), 0) << report;
+  EXPECT_LE(number("relative_error"), 0.02);
+  EXPECT_GT(number("passes"), 8);
+  EXPECT_EQ(2u, read_exr_parts(file("a.exr")).size());
+  ASSERT_EQ(0, bake({"b.exr", "--resolution", "16", "--time", "0.05", "--film", file("a.film"), "--resume"})) << error_;
+  EXPECT_NE(read_exr_parts(file("b.exr")).at("floor").at("").pixels,
+            read_exr_parts(file("a.exr")).at("floor").at("").pixels);
+}
+
 TEST_F(ToolBake, NodesOfOneNameAreBakedApart) {
   std::string text = scene();
   text.replace(text.find("cellar"), 6, "floor");

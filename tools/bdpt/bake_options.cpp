@@ -23,6 +23,7 @@ constexpr Kind kKinds[] = {{"e", BDPT_OUTPUT_IRRADIANCE, "irradiance", 1},
                            {"sh2", BDPT_OUTPUT_RADIANCE_SH2, "radiance_sh", 9},
                            {"sh1-e", BDPT_OUTPUT_IRRADIANCE_SH1, "irradiance_sh", 4},
                            {"sh2-e", BDPT_OUTPUT_IRRADIANCE_SH2, "irradiance_sh", 9},
+                           {"fluence", BDPT_OUTPUT_FLUENCE, "fluence", 1},
                            {"openness", BDPT_OUTPUT_OPENNESS, "openness", 1},
                            {"bent-normal", BDPT_OUTPUT_BENT_NORMAL, "bent_normal", 1},
                            {"openness-sh1", BDPT_OUTPUT_OPENNESS_SH1, "openness_sh", 4},
@@ -30,8 +31,10 @@ constexpr Kind kKinds[] = {{"e", BDPT_OUTPUT_IRRADIANCE, "irradiance", 1},
                            {"fronts", BDPT_OUTPUT_FRONTS, "fronts", 1}};
 
 constexpr const char* kOutputsHelp =
-    "What to bake, separated by commas, each in layers of its own: e: irradiance (default); e-over-pi; sh1, sh2: "
-    "spherical harmonics of radiance; sh1-e, sh2-e: of irradiance; openness (one less ambient occlusion), "
+    "What to bake, separated by commas, each in layers of its own: e: irradiance (default of lightmaps, and of "
+    "points with normals); e-over-pi; fluence: over all directions, of points without normals (default); sh1, sh2 "
+    "(default of probes): spherical harmonics of radiance; sh1-e, sh2-e: of irradiance; openness (one less ambient "
+    "occlusion), "
     "openness-sh1, openness-sh2, bent-normal; fronts: the part of the rays that meet no back first. With -direct or "
     "-indirect behind, that part of the light alone";
 
@@ -69,10 +72,24 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
   RenderOptions& render = options.render;
   command.add_option("scene", render.scene, "A scene file: glTF 2.0 (.gltf, .glb), or pbrt-v4")->required();
   command
-      .add_option("-o,--output", render.output,
-                  "The lightmap, OpenEXR, with a layer for each plane of the outputs and one for the coverage. Where "
-                  "several nodes of the scene are baked, each is a part of the file, by its name")
+      .add_option(
+          "-o,--output", render.output,
+          "The result. Lightmaps: OpenEXR, with a layer for each plane of the outputs and one for the coverage; "
+          "where several nodes of the scene are baked, each is a part of the file, by its name. Probes and "
+          "points: JSON, CSV or OpenEXR, as the name ends")
       ->required();
+  command
+      .add_option("--what", options.what,
+                  "lightmap (default): texels of surfaces; probes: a grid of points in space, light from everywhere; "
+                  "points: those of a file")
+      ->check(CLI::IsMember({"lightmap", "probes", "points"}));
+  command.add_option("--grid", options.grid,
+                     "Probes: NX,NY,NZ of them, at the centres of the cells of the box, x fastest");
+  command.add_option("--box", options.box, "Where: x0,y0,z0,x1,y1,z1 (default: what the scene's surfaces fill)");
+  command
+      .add_option("--points", options.points,
+                  "A text file: a point x y z, or x y z nx ny nz, in each line, with spaces or commas")
+      ->type_name("FILE");
   command.add_flag("--files", options.files,
                    "A file for each node instead, NAME-NODE.exr, for readers that know no parts");
   command.add_option("--png", render.png,
@@ -99,6 +116,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
   command.add_option("--gutter", options.gutter, "Rings of texels round the charts that are filled (default 2)")
       ->check(CLI::Range(0, 64));
   command.add_flag("--geometric-normals", options.geometric_normals, "Not those that are interpolated over triangles");
+  command.add_flag("--json", render.json, "Print one JSON object about the bake on stdout");
   add_film_options(command, render);
   add_limit_options(command, render);
   add_method_options(command, render);
@@ -109,12 +127,12 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
       std::string(kExitCodeHelp));
 }
 
-std::vector<BakeOutput> bake_outputs(const BakeOptions& options) {
+std::vector<BakeOutput> bake_outputs(const BakeOptions& options, const std::string& usual) {
   const bdpt_light_paths paths = options.paths == "direct"     ? BDPT_LIGHT_PATHS_DIRECT
                                  : options.paths == "indirect" ? BDPT_LIGHT_PATHS_INDIRECT
                                                                : BDPT_LIGHT_PATHS_ALL;
   std::vector<BakeOutput> outputs;
-  std::istringstream list(options.outputs);
+  std::istringstream list(options.outputs.empty() ? usual : options.outputs);
   for (std::string name; std::getline(list, name, ',');) outputs.push_back(parse_output(name, paths));
   if (outputs.empty()) throw Error(ExitCode::kUsage, std::string("--outputs: the list is empty; ") + kOutputsHelp);
   for (std::size_t i = 0; i < outputs.size(); ++i)

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -15,20 +14,13 @@
 #include "render_options.h"
 #include "render_report.h"
 #include "scene_upload.h"
+#include "stopwatch.h"
 
 namespace bdpt_tool {
 namespace {
 
 constexpr std::uint32_t kMaxPyramidEdges = 15;     // what a film can hold
 constexpr std::uint32_t kDefaultPyramidEdges = 7;  // where paths are not limited
-
-class Stopwatch {
- public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 class RenderCommand {
  public:

@@ -10,10 +10,8 @@
 #include <ImfPartType.h>
 #include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
+#include "whole_file.h"
 
 namespace bdpt_tool {
 namespace {
@@ -41,13 +39,15 @@ void add_slices(Imf::FrameBuffer& buffer, const std::string& layer, const Image&
                                    3 * sizeof(float), 3 * sizeof(float) * image.width));
 }
 
-void write(const std::string& path, const std::string& temporary, const std::vector<std::string>& parts,
-           const std::vector<std::string>& layers, const std::function<std::vector<Image>(std::size_t)>& images) {
+}  // namespace
+
+void write_exr_parts(const std::string& path, const std::vector<std::string>& parts,
+                     const std::vector<std::string>& layers,
+                     const std::function<std::vector<Image>(std::size_t part)>& images) {
   std::vector<Image> planes = images(0);
   std::vector<Imf::Header> headers;
   for (const std::string& part : parts) headers.push_back(header_of(part, planes[0], layers));
-  std::ofstream out(temporary, std::ios::binary);
-  {
+  write_whole_file(path, [&](std::ofstream& out) {
     Imf::StdOFStream stream(out, path.c_str());
     Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -60,31 +60,7 @@ void write(const std::string& path, const std::string& temporary, const std::vec
       part.writePixels(static_cast<int>(planes[0].height));
     }
     // The destructor writes the tables of scanlines, and swallows its errors; the stream keeps them.
-  }
-  out.close();
-  if (!out) throw std::runtime_error("the disk may be full, or the folder closed to writing");
-  std::filesystem::rename(temporary, path);
-}
-
-}  // namespace
-
-void write_exr_parts(const std::string& path, const std::vector<std::string>& parts,
-                     const std::vector<std::string>& layers,
-                     const std::function<std::vector<Image>(std::size_t part)>& images) {
-  const std::string temporary = path + "." + std::to_string(getpid()) + ".part";
-  const auto remove = [&] {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-  };
-  try {
-    write(path, temporary, parts, layers, images);
-  } catch (const Error&) {
-    remove();
-    throw;
-  } catch (const std::exception& error) {
-    remove();
-    throw Error(ExitCode::kOutput, "cannot write '" + path + "': " + error.what());
-  }
+  });
 }
 
 }  // namespace bdpt_tool
