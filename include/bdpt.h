@@ -475,8 +475,8 @@ typedef struct bdpt_scene_light {
 } bdpt_scene_light;
 
 /* Tells what light `index` is, below bdpt_scene_info.lights: lights first, then instances, each in the order of adding.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *light; the label
- * is the scene's. */
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed.
+ * Ownership: copies into *light; the label is the scene's. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_scene_get_light(const bdpt_scene *scene, uint32_t index, bdpt_scene_light *light);
 
 /* ---------------------------------------------------------------------------------------------------------------
@@ -537,11 +537,10 @@ typedef int32_t bdpt_output_kind;
 #define BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL 13 /* size² planes: INT L max(0, w·m) dw, m the direction of the texel's middle */
 #define BDPT_OUTPUT_DISTANCE_OCTAHEDRAL 14   /* size² planes; in place of colours the means of d, of d², and of 1 - V, d the
                                                 distance of what is seen, reach where that is farther */
-/* Light again. */
-#define BDPT_OUTPUT_UNSHADOWED 15        /* 1 plane: the direct part of E as if nothing were in its way [W/m²]; of all lights,
-                                            found by direct lighting alone whatever techniques take part: costs no ray. A
-                                            shadow mask of group g is IRRADIANCE with BDPT_LIGHT_PATHS_DIRECT over this, both
-                                            of group g; 1 where both are 0 */
+#define BDPT_OUTPUT_UNSHADOWED 15        /* 1 plane: the direct part of E as if nothing were in its way [W/m²], whatever
+                                            paths says; of all kinds of lights, by direct lighting alone, whatever
+                                            techniques take part: it costs no ray. A shadow mask of group g is IRRADIANCE
+                                            with BDPT_LIGHT_PATHS_DIRECT over this, both of group g; 1 where both are 0 */
 #define BDPT_OUTPUT_NONE (-1)            /* bdpt_plane_info: a camera's pixels, or a measurement of your own */
 
 typedef int32_t bdpt_light_paths;
@@ -560,8 +559,8 @@ typedef struct bdpt_output_desc {
   uint32_t reserved;
 } bdpt_output_desc;
 
-/* What a plane of the film measures. With bdpt_scene_get_light it tells which lights are in it: those whose group's bit is
- * set in groups. A host that draws them at run time must not add them again. */
+/* What a plane of the film measures. With bdpt_scene_get_light it tells which lights are in it: those whose group's bit
+ * is set in groups. A host that draws them at run time must not add them again. */
 typedef struct bdpt_plane_info {
   uint32_t struct_size;
   bdpt_output_kind kind;  /* BDPT_OUTPUT_NONE for a sensor without outputs */
@@ -602,15 +601,16 @@ typedef struct bdpt_lightmap_desc {
                                 light subpaths gives them the bits of the whole bake; with light subpaths, of which a
                                 pass has one for each texel, the same measurements but other noise */
   uint32_t geometric_normals; /* 1: n is the triangle's normal; 0: the interpolated vertex normal, where there is one */
-  uint32_t buried_rays;      /* 0 = off; else [1,4096], 16 will do: so many rays from each of 8 x 8 cells of each texel find
-                                what is buried, inside of geometry; it is not measured at all: no part of E_j and A_j */
+  uint32_t buried_rays;      /* 0 = off; else [1,4096], 16 will do: so many rays from each of 8 x 8 cells of each texel
+                                find what is buried, inside of geometry; it is not measured at all: no part of E_j
+                                and A_j */
   float backface_tolerance;  /* a cell is buried where more than this part of its rays, spread by the cosine, meets the
                                 back of a surface first: (0,1); 0 = 0.5 */
   uint32_t all_backs;        /* whose backs: 0: of one-sided surfaces; 1: of all but dielectrics */
-  const bdpt_cancel *cancel; /* stops the search for what is buried, which takes some ten seconds for 1024 x 1024 texels on
-                                two cores; may be NULL */
-  uint32_t film_of_rect;     /* 1: the film holds the texels of rect alone, its (0,0) being (x0,y0), and so does the sensor's
-                                memory: a map is baked in bands, with the same bits as with 0 */
+  const bdpt_cancel *cancel; /* stops the search for what is buried, which takes some ten seconds for 1024 x 1024
+                                texels on two cores; may be NULL */
+  uint32_t film_of_rect;     /* 1: film and sensor hold the texels of rect alone, (0,0) being (x0,y0), so that a map is
+                                baked in bands, with the same bits as with 0 */
   uint32_t reserved;
 } bdpt_lightmap_desc;
 
@@ -618,10 +618,10 @@ typedef struct bdpt_lightmap_desc {
  * that the sum of A_j E_j (with geometric normals) is the light that falls on the surface, to the last ray. Where several
  * surfaces share a texel the mean is over all of them. Triangles without area in the atlas, and what lies outside of it,
  * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them. With buried_rays,
- * floors that run on under walls are not darkened there: whether a cell counts is found once, and holds for eye and light
- * subpaths alike.
- * Returns: BDPT_CANCELLED; BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no texel
- * covered, all of them buried), _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * floors that run on under walls are not darkened there: whether a cell counts is found once, and holds for eye and
+ * light subpaths alike.
+ * Returns: BDPT_CANCELLED; BDPT_ERROR_INVALID_ARGUMENT (a sphere, a mesh without the uv set, an instance twice, no
+ * texel covered, all of them buried), _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
  * Source: Veach (1997), 10.6; the measurement functions are those of docs/baking.md. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_create(bdpt_scene *scene, const bdpt_lightmap_desc *desc, bdpt_sensor **sensor);
@@ -651,8 +651,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_get_info(const bdpt_sensor *sensor
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sensor, float *coverage, float *area, uint64_t capacity);
 
-/* Reads, for each texel in rows, the part of it whose surfaces are buried, by area in the atlas; bdpt_lightmap_read_texels
- * tells of what is left. Zeros where desc.buried_rays was 0. capacity is in floats.
+/* Reads, for each texel in rows, the part of it whose surfaces are buried, by area in the atlas;
+ * bdpt_lightmap_read_texels tells of what is left. Zeros where desc.buried_rays was 0. capacity is in floats.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_buried(const bdpt_sensor *sensor, float *buried, uint64_t capacity);
 
@@ -863,10 +863,10 @@ typedef struct bdpt_memory_estimate {
 BDPT_API BDPT_CHECK bdpt_result bdpt_film_estimate(const bdpt_sensor *sensor, const bdpt_film_desc *desc,
                                                    bdpt_memory_estimate *estimate);
 
-/* The same for a lightmap that is not there yet, and its film; film may be NULL. band_rows: bake the map in bands of so many
- * rows of desc.rect, each a lightmap with film_of_rect, and no band needs more than budget bytes, wherever it begins; all
- * rows if all fit, 0 if one is too many. budget 0 = what is left of the context's memory_limit. Cuts all triangles into
- * texels once, which takes time but no memory.
+/* The same for a lightmap that is not there yet, and its film; film may be NULL. band_rows: bake the map in bands of so
+ * many rows of desc.rect, each a lightmap with film_of_rect, and no band needs more than budget bytes, wherever it
+ * begins; all rows if all fit, 0 if one is too many. budget 0 = what is left of the context's memory_limit. Cuts all
+ * triangles into texels once, which takes time but no memory.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: copies into *estimate. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_estimate(bdpt_scene *scene, const bdpt_lightmap_desc *desc,
@@ -910,7 +910,7 @@ typedef int32_t bdpt_layer;
                                   with two groups it has one degree of freedom: average it over a neighbourhood */
 #define BDPT_LAYER_TECHNIQUE 4 /* 3 channels: the weighted contribution of technique (s,t) of the pyramid */
 #define BDPT_LAYER_REJECTED 5  /* 3 channels alike: how many contributions to the pixel, in any plane, were left out, not
-                                  being finite or being too large; whole samples of your own measurements count as one */
+                                  being finite or being too large; a start that cannot be used counts as one */
 
 typedef struct bdpt_read_desc {
   uint32_t struct_size;

@@ -125,6 +125,13 @@ TEST(ApiNull, SceneSensorFilmAndRenderCallsRefuseIt) {
   bdpt_lightmap_info lightmap_info = make<bdpt_lightmap_info>();
   EXPECT_INVALID(bdpt_lightmap_get_info(nullptr, &lightmap_info));
   EXPECT_INVALID(bdpt_lightmap_read_texels(nullptr, nullptr, nullptr, 0));
+  EXPECT_INVALID(bdpt_lightmap_read_buried(nullptr, nullptr, 0));
+  bdpt_plane_info plane = make<bdpt_plane_info>();
+  EXPECT_INVALID(bdpt_sensor_get_plane(nullptr, 0, &plane));
+  EXPECT_INVALID(bdpt_sensor_get_plane(world.sensor.get(), 0, nullptr));
+  bdpt_scene_light light = make<bdpt_scene_light>();
+  EXPECT_INVALID(bdpt_scene_get_light(nullptr, 0, &light));
+  EXPECT_INVALID(bdpt_scene_get_light(world.scene.get(), 0, nullptr));
   const bdpt_points_desc points = make<bdpt_points_desc>();
   sensor = dirty<bdpt_sensor>();
   EXPECT_INVALID(bdpt_points_create(nullptr, &points, &sensor));

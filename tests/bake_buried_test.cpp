@@ -238,5 +238,39 @@ TEST(BakeBuried, StartsLieInOpenCellsEvenly) {
     }
 }
 
+// A film of a part of the map has the same cells, areas and starts.
+TEST(BakeBuried, APartHasTheCellsOfTheWhole) {
+  Builder b;
+  b.add(floor_mesh(), one_sided(0.5f));
+  const Transform turned{{0.8f, 0, -0.6f, -0.7f, 0, 1, 0, 0, 0.6f, 0, 0.8f, 0}};
+  b.add(scenes::box(Vec3(-1.5f, -0.1f, -2), Vec3(0.6f, 0.5f, 2), false), one_sided(0.6f), turned);
+  b.environment(Rgb(1));
+  const ScenePointer scene = b.build();
+  const auto whole = lightmap(scene, 8, {placed(0)}, {OutputDesc{}}, looked_for());
+  LightmapDesc desc{{placed(0)}, {8, 8, 1}, {1, 3, 7, 8}};
+  desc.burial = looked_for();
+  desc.film_of_rect = true;
+  const Lightmap part(scene, desc, {OutputDesc{}}, nullptr);
+  const TexelMap &all = whole->texels(), &some = part.texels();
+  ASSERT_EQ(some.width(), 6);
+  ASSERT_EQ(some.height(), 5);
+  uint64_t partly = 0;
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 6; ++x) {
+      EXPECT_EQ(some.area(x, y), all.area(x + 1, y + 3));
+      EXPECT_EQ(some.coverage(x, y), all.coverage(x + 1, y + 3));
+      EXPECT_EQ(some.buried(x, y), all.buried(x + 1, y + 3));
+      EXPECT_EQ(part.place(x, y), whole->place(x + 1, y + 3));
+      if (some.number(x, y) < 0) continue;
+      partly += some.buried(x, y) > 0;
+      for (const float u : {0.1f, 0.5f, 0.99f}) {
+        const float numbers[4] = {u, 1 - u, 0.3f, 0.6f};
+        const EyeStart s = part.start_at(x, y, numbers), t = whole->start_at(x + 1, y + 3, numbers);
+        EXPECT_EQ(s.p, t.p);
+      }
+    }
+  EXPECT_GT(partly, 3u);
+}
+
 }  // namespace
 }  // namespace bdpt

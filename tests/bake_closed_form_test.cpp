@@ -127,11 +127,13 @@ scenes::MeshData turned_floor() {
   return m;
 }
 
-TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
-  const Material lamp = scenes::emitter(Rgb(3));
-  const scenes::MeshData lamp_mesh =
-      scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f), Vec3(-0.3f, 0.6f, 0.4f));
-  // The flux from the lamp to the floor: E integrated over the floor by the closed form.
+constexpr float kLamp = 3;
+scenes::MeshData lamp() {
+  return scenes::quad(Vec3(-0.3f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, -0.2f), Vec3(0.5f, 0.6f, 0.4f),
+                      Vec3(-0.3f, 0.6f, 0.4f));
+}
+// From the lamp to the floor: E integrated over it by the closed form.
+double flux_on_floor() {
   double flux = 0;
   constexpr int n = 400;
   for (int i = 0; i < n; ++i)
@@ -144,29 +146,140 @@ TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
           factor +=
               side * end * (a < 0 ? -1 : 1) * (b < 0 ? -1 : 1) * corner_form_factor(std::fabs(a), std::fabs(b), 0.6);
         }
-      flux += 3 * M_PI * factor * 4 / (double(n) * n);
+      flux += kLamp * M_PI * factor * 4 / (double(n) * n);
     }
+  return flux;
+}
+
+// Of direct light alone.
+std::vector<Way> ways_of_flux() {
+  return {Way{"t = 0", options_for(mask_of([](int, int t) { return t == 0; }), 1)},
+          Way{"s = 1", options_for(mask_of([](int s, int) { return s == 1; }), 1)}, Way{"all", options_for({}, 1)}};
+}
+void expect_flux(const ScenePointer& scene, const std::shared_ptr<const Lightmap>& sensor, double flux) {
+  for (const Way& way : ways_of_flux()) {
+    Estimate e;
+    for (int seed = 0; seed < 24; ++seed) {
+      const std::vector<float> map = read(*render(scene, sensor, way.options, 160, uint64_t(seed)).film);
+      double sum = 0;
+      for (int y = 0; y < sensor->height(); ++y)
+        for (int x = 0; x < sensor->width(); ++x)
+          sum += double(sensor->texels().area(x, y)) * double(map[3 * size_t(y * sensor->width() + x)]);
+      e.add(sum);
+    }
+    expect_value(e, flux, 6, way.name, 2e-5 * flux);
+    EXPECT_LT(e.standard_error(), 2e-3 * flux) << way.name;
+  }
+}
+
+TEST(BakeClosedForm, FluxOnAFloorHoweverItIsUnwrapped) {
+  const double flux = flux_on_floor();
   for (const bool turned : {false, true}) {
     Builder b;
     b.add(turned ? turned_floor() : scenes::unwrapped(floor_quads(), 2, 0), scenes::diffuse(0.0f));
-    b.add(lamp_mesh, lamp);
+    b.add(lamp(), scenes::emitter(Rgb(kLamp)));
     const ScenePointer scene = b.build();
     const auto sensor = lightmap(scene, 24);
     EXPECT_NEAR(sensor->texels().report().area, 4, 1e-5);
-    for (const Way& way :
-         {Way{"t = 0", options_for(mask_of([](int, int t) { return t == 0; }), 1)},
-          Way{"s = 1", options_for(mask_of([](int s, int) { return s == 1; }), 1)}, Way{"all", options_for({}, 1)}}) {
-      Estimate e;
-      for (int seed = 0; seed < 24; ++seed) {
-        const std::vector<float> map = read(*render(scene, sensor, way.options, 160, uint64_t(seed)).film);
-        double sum = 0;
-        for (int y = 0; y < 24; ++y)
-          for (int x = 0; x < 24; ++x) sum += double(sensor->texels().area(x, y)) * double(map[3 * size_t(y * 24 + x)]);
-        e.add(sum);
-      }
-      expect_value(e, flux, 6, way.name, 2e-5 * flux);
-      EXPECT_LT(e.standard_error(), 2e-3 * flux) << way.name;
-    }
+    expect_flux(scene, sensor, flux);
+  }
+}
+
+// The floor's quarters as instances of one sheet, of which each is stretched otherwise and two are mirrored; by charts
+// of unlike density, one of them turned. Texels have the area of what they cover in the world.
+TEST(BakeClosedForm, FluxOnMirroredAndStretchedInstances) {
+  Builder b;
+  scenes::MeshData sheet =
+      scenes::unwrapped(scenes::quad(Vec3(0, 0, 0.25f), Vec3(0.5f, 0, 0.25f), Vec3(0.5f, 0, 0), Vec3(0, 0, 0)), 1, 0);
+  const int shape = b.next_shape();
+  const Material black = scenes::diffuse(0.0f);
+  b.add(sheet, black, Transform{{2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0}});               // x > 0, z > 0
+  b.add_instance(shape, shape, Transform{{-2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 4, 0}});     // x < 0, z > 0, mirrored
+  b.add_instance(shape, shape, Transform{{2, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, -4, 0}});  // x > 0, z < 0, mirrored
+  b.add_instance(shape, shape, Transform{{0, 0, -4, 0, 0, 1, 0, 0, -2, 0, 0, 0}});    // x < 0, z < 0, turned, mirrored
+  b.add(lamp(), scenes::emitter(Rgb(kLamp)));
+  const ScenePointer scene = b.build();
+  std::vector<LightmapInstance> instances;
+  for (uint32_t i = 0; i < 4; ++i) {
+    instances.push_back(placed(i));
+    instances[i].scale = {i == 1 ? 0.25f : 0.45f, i == 2 ? 0.3f : 0.45f};
+    instances[i].offset = {i % 2 ? 0.53f : 0.02f, i / 2 ? 0.51f : 0.03f};
+  }
+  const auto sensor = lightmap(scene, 24, instances);
+  EXPECT_NEAR(sensor->texels().report().area, 4, 1e-5);
+  EXPECT_EQ(sensor->texels().report().shared, 0u);
+  EXPECT_NEAR(sensor->texels().area(5, 19), 1 / (0.45 * 0.45 * 24 * 24), 1e-6);  // whole, of the first
+  EXPECT_NEAR(sensor->texels().area(15, 19), 1 / (0.25 * 0.45 * 24 * 24), 1e-6);
+  expect_flux(scene, sensor, flux_on_floor());
+  // Their backs are dark.
+  for (LightmapInstance& i : instances) i.flip = true;
+  const SensorPointer backs = lightmap(scene, 24, instances);
+  for (const Way& way : ways_of_flux())
+    for (const float v : read(*render(scene, backs, way.options, 16, 1).film)) ASSERT_EQ(v, 0) << way.name;
+}
+
+// Triangles without area, in the atlas or in the world, measure nothing, and change nothing for those beside them.
+TEST(BakeClosedForm, TrianglesWithoutAreaAreNotMeasured) {
+  Builder b;
+  scenes::MeshData m = scenes::unwrapped(floor_quads(), 2, 0);
+  const auto add = [&](const std::array<Vec3, 3>& p, const std::array<Vec2, 3>& uv) {
+    const auto first = uint32_t(m.positions.size());
+    m.positions.insert(m.positions.end(), p.begin(), p.end());
+    m.lightmap_uv.insert(m.lightmap_uv.end(), uv.begin(), uv.end());
+    m.triangles.push_back({first, first + 1, first + 2});
+  };
+  // Far below, where no light comes; a line and a point in the atlas.
+  const std::array<Vec3, 3> below = {Vec3(0, -1, 0), Vec3(0.1f, -1, 0), Vec3(0, -1, 0.1f)};
+  add(below, {Vec2(0.1f, 0.1f), Vec2(0.5f, 0.5f), Vec2(0.9f, 0.9f)});
+  add(below, {Vec2(0.3f, 0.3f), Vec2(0.3f, 0.3f), Vec2(0.3f, 0.3f)});
+  // A line in the world, over a quarter of the atlas.
+  add({Vec3(0, -1, 0), Vec3(0, -1, 0.5f), Vec3(0, -1, 1)}, {Vec2(0, 0), Vec2(0.5f, 0), Vec2(0, 0.5f)});
+  b.add(m, scenes::diffuse(0.0f));
+  b.add(lamp(), scenes::emitter(Rgb(kLamp)));
+  const ScenePointer scene = b.build();
+  const auto sensor = lightmap(scene, 24);
+  EXPECT_EQ(sensor->texels().report().unmapped, 2u);
+  EXPECT_NEAR(sensor->texels().report().area, 4, 1e-5);
+  EXPECT_EQ(sensor->texels().report().texels, 576u);
+  expect_flux(scene, sensor, flux_on_floor());
+}
+
+// A texel that covers nothing but a line of the world is not measured.
+TEST(BakeClosedForm, ATexelOfALineIsNone) {
+  Builder b;
+  scenes::MeshData m = scenes::quad(Vec3(0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0));
+  m.lightmap_uv = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+  b.add(m, scenes::diffuse(0.0f));
+  b.environment(Rgb(1));
+  const auto sensor = lightmap(b.build(), 4);
+  EXPECT_EQ(sensor->count(), 0u);
+  EXPECT_EQ(sensor->number(1, 1), -1);
+  EXPECT_EQ(sensor->texels().area(1, 1), 0);
+}
+
+// Charts that lie on one another: the mean by area, in every technique. One sheet sees the sky, the other, twice as
+// large, is in a closed box.
+TEST(BakeClosedForm, OverlappingChartsMeasureTheMeanByArea) {
+  Builder b;
+  const auto sheet = [](float y, float side) {
+    return scenes::unwrapped(
+        scenes::quad(Vec3(-side, y, side), Vec3(side, y, side), Vec3(side, y, -side), Vec3(-side, y, -side)), 1, 0);
+  };
+  b.add(sheet(0, 0.5f), scenes::diffuse(0.5f));
+  b.add(sheet(-2, std::sqrt(0.5f)), scenes::diffuse(0.5f));
+  b.add(scenes::box(Vec3(-1, -3, -1), Vec3(1, -1, 1), false), scenes::diffuse(0.5f));
+  b.environment(Rgb(1));
+  const ScenePointer scene = b.build();
+  const auto sensor = lightmap(scene, 4, {placed(0), placed(1)});
+  EXPECT_EQ(sensor->texels().report().shared, 16u);
+  EXPECT_NEAR(sensor->texels().coverage(1, 2), 2, 1e-5);
+  EXPECT_NEAR(sensor->texels().area(1, 2), 3.0 / 16, 1e-6);
+  for (const Way& way : ways_of_flux()) {
+    Estimate mean;
+    for (int seed = 0; seed < 24; ++seed)
+      mean.add(mean_of(*render(scene, sensor, way.options, 1024, uint64_t(seed)).film));
+    expect_value(mean, M_PI / 3, 6, way.name, 1e-5);
+    EXPECT_LT(mean.standard_error(), 0.02 * M_PI) << way.name;
   }
 }
 

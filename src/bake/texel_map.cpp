@@ -12,6 +12,7 @@ namespace {
 constexpr double kLeastArea = 1e-12;
 constexpr int kCells = 8;  // along the side of a texel: chi has a bit for each
 constexpr uint64_t kOpen = ~uint64_t(0);
+constexpr double kLeastOpen = 1e-6;  // of a texel's area: what is less is buried
 
 TexelRect rows_of(const AtlasStack& size, int atlas) {
   return {0, int64_t(atlas) * size.height, size.width, int64_t(atlas + 1) * size.height};
@@ -248,6 +249,10 @@ double TexelMap::bury_closed(int x, int y) {
     until += chi_[i] == kOpen || !(cells > 0) ? whole : whole * (open_cells / cells);
     f.until = until;
     open += open_cells / (kCells * kCells);
+  }
+  if (until < kLeastOpen * before) {  // slivers of cells
+    for (size_t i = first_[t]; i < first_[t + 1]; ++i) chi_[i] = 0, fragments_[i].until = 0;
+    until = open = 0;
   }
   areas_[t] = float(until);
   buried_[t] = float(double(coverage_[t]) - open);
