@@ -604,8 +604,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_texels(const bdpt_sensor *sen
 typedef struct bdpt_point {
   float position[3];
   float normal[3]; /* of any length: light from its side counts; zero: light from everywhere does */
-  float radius;    /* 0, or 1e-9 to 1e9 world units: the mean over a disk across the normal, or without one over a ball;
-                      0 = the point itself */
+  float radius;    /* 0, or 1e-9 to 1e9 world units: the mean over a disk across the normal, or without one over a ball,
+                      of at least 1/10000 of its largest coordinate; 0 = the point itself */
   float cone;      /* with a normal: only light within so many degrees of it counts, (0,90], as if all else were black;
                       0 = 90. Without one: 0 */
 } bdpt_point;
