@@ -505,7 +505,7 @@ typedef struct bdpt_camera_desc {
 BDPT_API BDPT_CHECK bdpt_result bdpt_camera_create(bdpt_context *context, const bdpt_camera_desc *desc, bdpt_sensor **sensor);
 /* --- Sensors that are no cameras: what arrives at surfaces and points ---
  * A measurement is a texel or a point; it has one or more outputs, all sampled at once; an output is one or more planes
- * of the film, of three colours each. Every plan but mmlt measures them, t = 0 on surfaces included.
+ * of the film, of three colours each. Every plan but mmlt measures them, with t = 0 on surfaces and in balls.
  * Directions are world directions, away from the point measured; n is the normal of the side that receives. */
 
 typedef int32_t bdpt_output_kind;
@@ -530,13 +530,13 @@ typedef int32_t bdpt_output_kind;
  * 0.282095; 0.488603 y, 0.488603 z, 0.488603 x; 1.092548 xy, 1.092548 yz, 0.315392 (3z² - 1), 1.092548 xz,
  * 0.546274 (x² - y²). */
 /* Directions on a square of size x size texels, a plane each, in rows. (a, b) in [-1,1]² is the direction (a, b, c) with
- * c = 1 - |a| - |b| where that is not below 0, else ((1 - |b|) sgn a, (1 - |a|) sgn b, c); world space, z the middle. Plane
- * j size + i has the square of a from -1 + 2 i / size on and b from -1 + 2 j / size on, 2 / size wide. Means are over the
- * exact solid angle of the square's directions; below the horizon of a normal all is 0. */
+ * c = 1 - |a| - |b| where that is not below 0, else ((1 - |b|) sgn a, (1 - |a|) sgn b, c); world space, z in the middle.
+ * Plane j size + i has the square of a from -1 + 2 i / size on and b from -1 + 2 j / size on, 2 / size wide. Means are over
+ * the exact solid angle of the square's directions; below the horizon of a normal all is 0. */
 #define BDPT_OUTPUT_RADIANCE_OCTAHEDRAL 12   /* size² planes: the mean of L over the texel's directions */
-#define BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL 13 /* size² planes: INT L max(0, w·m) dw, m the direction of the texel's middle */
-#define BDPT_OUTPUT_DISTANCE_OCTAHEDRAL 14   /* size² planes; in place of colours the means of d, of d², and of 1 - V, d the
-                                                distance of what is seen, reach where that is farther */
+#define BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL 13 /* size² planes: INT L max(0, w·m) dw, m the direction of the middle */
+#define BDPT_OUTPUT_DISTANCE_OCTAHEDRAL 14   /* size² planes; in place of colours the means of d, d² and 1 - V, d the
+                                                distance of what is seen, or reach where that is less */
 #define BDPT_OUTPUT_UNSHADOWED 15        /* 1 plane: the direct part of E as if nothing were in its way [W/m²], whatever
                                             paths says; of all kinds of lights, by direct lighting alone, whatever
                                             techniques take part: it costs no ray. A shadow mask of group g is IRRADIANCE
@@ -659,8 +659,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_lightmap_read_buried(const bdpt_sensor *sen
 typedef struct bdpt_point {
   float position[3];
   float normal[3]; /* of any length: light from its side counts; zero: light from everywhere does */
-  float radius;    /* 0, or 1e-9 to 1e9 world units: the mean over a disk across the normal, or without one over a ball;
-                      0 = the point itself */
+  float radius;    /* 0, or 1e-9 to 1e9 world units: the mean over a disk across the normal, or without one over a ball,
+                      of at least 1/10000 of its largest coordinate; 0 = the point itself */
   float cone;      /* with a normal: only light within so many degrees of it counts, (0,90], as if all else were black;
                       0 = 90. Without one: 0 */
 } bdpt_point;
@@ -706,24 +706,24 @@ typedef struct bdpt_vertices_desc {
 /* Creates a sensor of the vertices of meshes. Vertex j measures the mean E_j = INT h_j E dA / A_j, A_j = INT h_j dA, with
  * the hat function h_j: 1 at the vertex, 0 at all others, linear on each triangle. The sum of A_j E_j (with geometric
  * normals) is the light that falls on the surface. The film has vertices in rows, in order, those of the first instance
- * first: a packed read of it begins with them, one after another. Vertices of one place and several indices measure apart;
- * those of no triangle are not measured.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, an instance twice, no triangle with an area), _INVALID_ID, _MEMORY_LIMIT,
- * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * first: a packed read of it begins with them, one after another. Vertices of one place and several indices measure
+ * apart; those of no triangle are not measured.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a sphere, an instance twice, no triangle with an area), _INVALID_ID,
+ * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
  * Source: Veach (1997), 10.6. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_create(bdpt_scene *scene, const bdpt_vertices_desc *desc, bdpt_sensor **sensor);
 
-/* Reads A_j of each vertex, in square world units; 0 where nothing is measured. capacity, in floats, is at least the number
- * of vertices.
+/* Reads A_j of each vertex, in square world units; 0 where nothing is measured. capacity, in floats, is at least the
+ * number of vertices.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind). Threads: any thread. Callbacks: allowed.
  * Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_read_areas(const bdpt_sensor *sensor, float *areas, uint64_t capacity);
 
 /* Turns means by hat functions, as a film of the sensor has them, into values at the vertices, in place: of all functions
  * linear on each triangle the one nearest to what was measured, by least squares over the surface. Interpolated between
- * vertices, these are the picture; the means themselves would blur it. channels floats to a vertex, 1 to 4096; capacity in
- * floats. Values of vertices that are not measured stay. The same input gives the same bits.
+ * vertices, these are the picture; the means themselves would blur it. channels floats to a vertex, 1 to 4096; capacity
+ * in floats. Values of vertices that are not measured stay. The same input gives the same bits.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a sensor of another kind, and values that are not finite),
  * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed. Ownership: writes values. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_vertices_solve(const bdpt_sensor *sensor, uint32_t channels, float *values, uint64_t capacity);

@@ -133,6 +133,8 @@ TEST(ApiBake, PointFieldsAreChecked) {
   refused([](auto&, auto& p, auto&) { p.radius = 1e-10f; });
   refused([](auto&, auto& p, auto&) { p.radius = 1e10f; });
   refused([](auto&, auto& p, auto&) { p.radius = kNan; });
+  EXPECT_OK(result([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 2e-4f; }));
+  refused([](auto&, auto& p, auto& o) { o.kind = BDPT_OUTPUT_FLUENCE, p.normal[1] = 0, p.radius = 0.5e-4f; });
   refused([](auto&, auto& p, auto&) { p.cone = -1; });
   refused([](auto&, auto& p, auto&) { p.cone = 91; });
   refused([](auto&, auto& p, auto&) { p.cone = kNan; });

@@ -257,6 +257,12 @@ TEST(BakeProbe, ConesByEveryTechniqueAndPlan) {
       EXPECT_LT(means.values[i].standard_error(), 0.02 * means.values[i].mean()) << way.name;
     }
   }
+  // By direct light alone, which looks at directions that it did not choose.
+  const BlockMeans direct = ball_means(open, both, options_for(only(1, 1), 1), 8192, 32, 2);
+  for (size_t i = 1; i < angles.size(); ++i) {
+    const double half = std::sin(angles[i] * M_PI / 360);
+    expect_value(direct.values[angles.size() + i], 4 * M_PI * half * half, 60, "(1,1)", 1e-5);
+  }
   std::vector<Way> all = ways(4);
   std::erase_if(all, [](const Way& w) { return w.name == "t = 0"; });
   const SensorPointer placed =

@@ -4,6 +4,7 @@
 #include "api/host_array.h"
 #include "api/output_desc.h"
 #include "api/placement.h"
+#include "geometry/margin.h"
 
 using namespace bdpt;
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr uint64_t kMaxPoints = uint64_t(1) << 32;
 constexpr float kLeastRadius = 1e-9f, kMostRadius = 1e9f;  // densities are floats
+constexpr float kLeastPart = 1e-4f;  // of a ball's largest coordinate: some thousand steps of a float
 
 MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
   const std::string name = "point " + std::to_string(number);
@@ -23,6 +25,10 @@ MeasuredPoint read_point(const bdpt_point& point, uint64_t number) {
   if (normal.length() > 0) p.normal = Vec3(normal / normal.length());
   if (point.radius > 0 && !(point.radius >= kLeastRadius && point.radius <= kMostRadius))
     subject.refuse("radius", "is ", point.radius, ": give 0, or ", kLeastRadius, " to ", kMostRadius);
+  const float reach = largest(p.p);
+  if (normal.length() == 0 && point.radius > 0 && point.radius < kLeastPart * reach)
+    subject.refuse("radius", "is ", point.radius, " although the ball is ", reach,
+                   " off the origin, where floats are too coarse for it: give at least ", kLeastPart * reach, ", or 0");
   p.radius = point.radius;
   if (!(point.cone >= 0 && point.cone <= 90))
     subject.refuse("cone", "is ", point.cone, ": give degrees of (0,90], or 0 for 90");
