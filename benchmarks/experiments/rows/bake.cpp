@@ -1,6 +1,9 @@
 // Lightmaps: what bakers that trace from the texel alone pay for light that they find by chance.
 //
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <memory>
+
 #include "rows/rows.h"
 #include "scenes/scenes.h"
 #include "tables.h"
@@ -32,6 +35,49 @@ ContestOptions options_for(std::uint32_t side, const Setting& setting, std::vect
   return options;
 }
 
+// The texels brighter than twice the median: a caustic.
+std::vector<std::size_t> bright_texels(const bdpt_benchmark::ImageVariance& map) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < map.pixels(); ++i) values.push_back(map.mean(i));
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+  const double limit = 2 * values[values.size() / 2];
+  std::vector<std::size_t> bright;
+  for (std::size_t i = 0; i < map.pixels(); ++i)
+    if (map.mean(i) > limit) bright.push_back(i);
+  return bright;
+}
+
+// A look at some of the texels alone.
+Checkpoint part_of(const Checkpoint& whole, const std::vector<std::size_t>& texels) {
+  const auto pick = [&](const auto& value) {
+    std::vector<float> values;
+    for (const std::size_t i : texels) values.push_back(float(value(i)));
+    return values;
+  };
+  Checkpoint part{whole.passes, whole.seconds, {}, nullptr};
+  for (const auto& image : whole.images) part.images.push_back(pick([&](std::size_t i) { return image[i]; }));
+  const auto mean = pick([&](std::size_t i) { return whole.reference->mean(i); });
+  part.reference = std::make_shared<const bdpt_benchmark::ImageVariance>(reference_of({mean}));
+  return part;
+}
+
+Table caustic_table(const std::vector<Contestant>& contestants) {
+  const Checkpoint& eye = contestants.back().end();
+  const std::vector<std::size_t> texels = bright_texels(*eye.reference);
+  Table table{"The caustic alone: " + std::to_string(100 * texels.size() / eye.reference->pixels()) +
+                  " % of the texels, brighter than twice the median",
+              {"plan", "relative variance", "efficiency / eye-only"},
+              {}};
+  if (texels.empty()) return table;
+  const Checkpoint eye_part = part_of(eye, texels);
+  for (const Contestant& c : contestants) {
+    const Checkpoint part = part_of(c.end(), texels);
+    table.rows.push_back({c.variant.name, relative_variance(part),
+                          &c == &contestants.back() ? Cell("1") : Cell(efficiency_ratio(part, eye_part))});
+  }
+  return table;
+}
+
 double samples_per_second(std::uint32_t side, std::uint64_t passes, double processor_seconds) {
   return double(passes) * side * side / processor_seconds;
 }
@@ -61,8 +107,10 @@ void own_bake(Report& report) {
       "the "
       "same processor time. Eye-only is path tracing from the texel with direct lighting, weighted by MIS. Samples are "
       "counted for a second of one processor.");
-  const std::vector<Variant> plans = {of_plan("two-way"), bidirectional(),      of_plan("pooled"),
-                                      of_plan("matrix"),  of_plan("automatic"), eye_only()};
+  Variant two = of_plan("two-way");
+  two.name = "two-way, 2 light subpaths", two.light_samples = 2;
+  const std::vector<Variant> plans = {
+      of_plan("two-way"), two, bidirectional(), of_plan("pooled"), of_plan("matrix"), of_plan("automatic"), eye_only()};
   std::string text;
   bool good = true;
   for (const Room& room : kRooms) {
@@ -87,6 +135,7 @@ void own_bake(Report& report) {
         if ((room.target == 0) == (c.variant.plan == "automatic")) best = std::max(best, gain.value);
       }
       if (side != sides.front()) continue;
+      if (room.room == BakedRoom::GlassSphere) report.add(caustic_table(contestants));
       good = good && best >= (room.target > 0 ? room.target : 0.95);
       text += std::string(text.empty() ? "" : "; ") + room.name + ": " +
               (room.target > 0 ? "the best plan has " : "automatic has ") + bdpt_experiments::text(Estimate{best, 0}) +
