@@ -408,7 +408,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_light_remove(bdpt_builder *builder, bdpt_li
 
 typedef struct bdpt_instance_desc {
   uint32_t struct_size;
-  uint32_t reserved;
+  uint32_t invisible;  /* 1 = no ray meets it: it casts no shadow and scatters no light, but lightmaps and vertices may
+                          measure what arrives at it. Must not emit. 0 = visible */
   const char *label;
   bdpt_shape_id shape;
   bdpt_material_id material;
@@ -417,8 +418,8 @@ typedef struct bdpt_instance_desc {
 
 /* Places a shape, with a material, in the world.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (a transform that is singular or not finite, or that makes an ellipsoid of a
- * sphere), _INVALID_ID, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
- * Ownership: copies. */
+ * sphere; invisible is neither 0 nor 1), _INVALID_ID, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for
+ * the builder in use. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_instance_add(bdpt_builder *builder, const bdpt_instance_desc *desc, bdpt_instance_id *instance);
 /* Replaces an instance's description for scenes built from now on.
  * Returns: as bdpt_instance_add. Threads: one thread per object. Callbacks: not for the builder in use.

@@ -279,10 +279,10 @@ TEST_F(ApiBuilder, SpheresAreChecked) {
 
 TEST_F(ApiBuilder, TransformsAreChecked) {
   const Contents contents(b_);
-  const auto try_transform = [&](bdpt_shape_id shape, const std::vector<float>& m, uint32_t reserved = 0) {
+  const auto try_transform = [&](bdpt_shape_id shape, const std::vector<float>& m, uint32_t invisible = 0) {
     bdpt_instance_desc desc = instance_desc(shape, contents.grey);
     std::copy(m.begin(), m.end(), desc.transform);
-    desc.reserved = reserved;
+    desc.invisible = invisible;
     bdpt_instance_id instance{7};
     const bdpt_result result = bdpt_instance_add(b_, &desc, &instance);
     EXPECT_EQ(result == BDPT_OK, instance.id != 0);
@@ -310,7 +310,8 @@ TEST_F(ApiBuilder, TransformsAreChecked) {
     EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_transform(contents.square, m)) << m[0] << ' ' << m[3];
     EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_transform(contents.ball, m)) << m[0] << ' ' << m[3];
   }
-  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_transform(contents.square, identity, 1));
+  EXPECT_OK(try_transform(contents.square, identity, 1));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_transform(contents.square, identity, 2));
 }
 
 TEST_F(ApiBuilder, ASceneNeedsSomethingAndOneEnvironmentAtMost) {

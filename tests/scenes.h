@@ -195,6 +195,11 @@ class Builder {
     desc_.instances.push_back(instance);
     return *this;
   }
+  // The instance added last.
+  Builder& invisible() {
+    desc_.instances.back().invisible = true;
+    return *this;
+  }
   int add_texture(Texture texture) {
     desc_.textures.push_back(std::make_shared<const Texture>(std::move(texture)));
     return int(desc_.textures.size()) - 1;

@@ -41,6 +41,7 @@ struct InstanceEntry {
   std::string label;
   uint64_t shape = 0, material = 0;  // ids
   Transform transform;
+  bool invisible = false;
 };
 
 }  // namespace bdpt

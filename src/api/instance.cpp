@@ -21,14 +21,14 @@ void check_reach(const Subject& subject, const Transform& transform, const Vec3&
 
 InstanceEntry read_instance(bdpt_builder& builder, const bdpt_instance_desc& desc) {
   const Subject subject("instance", desc.label);
-  subject.check_reserved("reserved", desc.reserved);
+  subject.check_flag("invisible", desc.invisible);
   const ShapeEntry& shape = builder.shapes.at(desc.shape.id, "desc.shape");
   builder.materials.at(desc.material.id, "desc.material");
   const Transform transform = read_transform(subject, desc.transform);
   if (shape.is_sphere() && uniform_scale(transform) == 0)
     subject.refuse("transform", "makes an ellipsoid of a sphere: scale it alike in all directions, or use a mesh");
   check_reach(subject, transform, shape.extent);
-  return {subject.label(), desc.shape.id, desc.material.id, transform};
+  return {subject.label(), desc.shape.id, desc.material.id, transform, desc.invisible != 0};
 }
 
 void use(bdpt_builder& builder, const InstanceEntry& instance) {

@@ -19,8 +19,8 @@ class Collector {
   SceneDesc collect() {
     desc_.instances.reserve(builder_.instances.size());
     for (const auto& [id, instance] : builder_.instances)
-      desc_.instances.push_back(
-          {instance.label, shape(instance.shape), material(instance.material), instance.transform, id});
+      desc_.instances.push_back({instance.label, shape(instance.shape), material(instance.material), instance.transform,
+                                 id, instance.invisible});
     for (const auto& [id, light] : builder_.lights) {
       desc_.lights.push_back(light);
       desc_.lights.back().id = id;

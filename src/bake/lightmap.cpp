@@ -2,6 +2,8 @@
 
 #include "sampling/hash.h"
 
+#include <algorithm>
+
 namespace bdpt {
 
 namespace {
@@ -22,6 +24,8 @@ Lightmap::Lightmap(std::shared_ptr<const Scene> scene, const LightmapDesc& desc,
       outputs_(outputs),
       geometric_normals_(desc.geometric_normals || !has_normals(*scene_, desc.instances)),
       responds_(outputs_.respond(true, !geometric_normals_)),
+      hittable_(std::all_of(desc.instances.begin(), desc.instances.end(),
+                            [&](const LightmapInstance& i) { return scene_->is_visible(i.instance); })),
       hemisphere_(all_fade(outputs) && geometric_normals_ ? 1 : 0.5f) {
   const PixelRect& subset = desc.subset;
   hash_ = hash_values(scene_->info().hash, desc.size.width, desc.size.height, desc.size.count, subset.x0, subset.y0,

@@ -20,7 +20,7 @@ class Lightmap final : public Sensor {
 
   int width() const override { return texels_.width(); }
   int height() const override { return texels_.height(); }
-  bool is_hittable() const override { return true; }
+  bool is_hittable() const override { return hittable_; }
   uint64_t hash() const override { return hash_; }
   bool is_local() const override { return true; }
   bool is_surface() const override { return true; }
@@ -44,6 +44,7 @@ class Lightmap final : public Sensor {
   int atlas_width_;
   Outputs outputs_;
   bool geometric_normals_, responds_;
+  bool hittable_;  // no instance is invisible: else some texels would have t = 0 and some not
   HemisphereSampler hemisphere_;
   uint64_t hash_;
 };

@@ -40,6 +40,8 @@ VertexBasis::VertexBasis(std::shared_ptr<const Scene> scene, const std::vector<V
       outputs_(outputs),
       geometric_normals_(geometric_normals || !has_normals(*scene_, instances)),
       responds_(outputs_.respond(true, !geometric_normals_)),
+      hittable_(std::all_of(instances.begin(), instances.end(),
+                            [&](const VertexInstance& i) { return scene_->is_visible(i.instance); })),
       hemisphere_(all_fade(outputs) && geometric_normals_ ? 1 : 0.5f) {
   booking_ = Booking(meter, rows_.count * 32 + count_corners(*scene_, instances) * sizeof(Corner), "the vertices");
   hash_ = hash_combine(hash_values(scene_->info().hash, 0x7665727469636573ull, geometric_normals_), outputs_.hash());

@@ -35,7 +35,7 @@ class VertexBasis final : public Sensor {
 
   int width() const override { return rows_.width; }
   int height() const override { return rows_.height; }
-  bool is_hittable() const override { return true; }
+  bool is_hittable() const override { return hittable_; }
   uint64_t hash() const override { return hash_; }
   bool is_local() const override { return true; }
   bool is_surface() const override { return true; }
@@ -81,7 +81,7 @@ class VertexBasis final : public Sensor {
   std::vector<int64_t> numbers_;    // among those that are measured; -1 for others
   std::vector<uint64_t> measured_;  // vertices by these numbers
   Outputs outputs_;
-  bool geometric_normals_, responds_;
+  bool geometric_normals_, responds_, hittable_;
   HemisphereSampler hemisphere_;
   uint64_t hash_;
   Booking booking_;

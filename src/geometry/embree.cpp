@@ -227,6 +227,8 @@ RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<Ra
     const RayGeometry& g = geometries[id];
     if (g.sphere) {
       i.attach(i.sphere(*g.sphere, g.transform), id);
+    } else if (!g.mesh) {
+      continue;
     } else if (!g.instanced) {
       i.attach(i.triangles(g.world_positions, g.mesh->triangles), id);
     } else {

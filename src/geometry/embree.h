@@ -48,7 +48,7 @@ class RayDevice {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// What one instance gives to the ray queries.
+// What one instance gives to the ray queries; neither mesh nor sphere: nothing.
 struct RayGeometry {
   const Mesh* mesh = nullptr;  // or
   const Sphere* sphere = nullptr;

@@ -72,6 +72,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
   for (const InstanceDesc& i : desc.instances) {
     add(i.transform.m);
     h = hash_combine(h, hash_values(i.shape, i.material));
+    if (i.invisible) h = hash_combine(h, 1);
   }
   return h;
 }
@@ -96,6 +97,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   std::vector<RayGeometry> geometries(instances_.size());
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Instance& instance = instances_[i];
+    if (desc_.instances[i].invisible) continue;
     geometries[i] = {instance.mesh, instance.sphere, instance.transform, instance.world_positions, false};
     if (instance.mesh && instance.world_positions.empty()) {
       geometries[i].instanced = true;
@@ -191,6 +193,10 @@ void Scene::collect_lights() {
   for (size_t i = 0; i < instances_.size(); ++i) {
     Instance& instance = instances_[i];
     const bool emits = !is_black(instance.material->emission);
+    if (emits && desc_.instances[i].invisible)
+      fail(ErrorCode::InvalidArgument, "instance \"", desc_.instances[i].label,
+           "\" is invisible, but its material emits light, which no ray could find: make it visible, or give it "
+           "another material");
     Lights::AreaLight light;
     light.instance = int(i);
     light.radiance = instance.material->emission;

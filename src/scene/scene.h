@@ -50,6 +50,8 @@ class Scene {
   size_t instance_count() const { return instances_.size(); }
   uint64_t instance_id(uint32_t instance) const { return desc_.instances[instance].id; }
   const std::string& instance_label(uint32_t instance) const { return desc_.instances[instance].label; }
+  // Whether rays, and so light, can meet it.
+  bool is_visible(uint32_t instance) const { return !desc_.instances[instance].invisible; }
   const Mesh* mesh(uint32_t instance) const { return instances_[instance].mesh; }  // nullptr for a sphere
   double triangle_area(uint32_t instance, uint32_t primitive) const;               // in the world
   // The geometry at a point of a mesh; false where it is too degenerate to have a normal.
