@@ -125,6 +125,31 @@ TEST_F(ToolBake, DirectAndIndirectLightMakeTheWhole) {
   EXPECT_EQ(map.at("irradiance_direct").pixels, layers("b.exr").at("irradiance_direct").pixels);
 }
 
+// Under the lamp the floor is open, the cellar in the floor's shade; and from the floor all is open but the lamp.
+TEST_F(ToolBake, ShadowMasksAndMapsOfDirections) {
+  ASSERT_EQ(0, bake({"a.exr", "--resolution", "8", "--spp", "64", "--integrator", "path", "--outputs",
+                     "e-direct,unshadowed,distance-oct", "--reach", "3", "--gutter", "0"}))
+      << error_;
+  const auto parts = read_exr_parts(file("a.exr"));
+  const auto& floor = parts.at("floor");
+  const auto sum = [](const Image& image) {
+    double total = 0;
+    for (const float v : image.pixels) total += double(v);
+    return total;
+  };
+  EXPECT_NEAR(sum(floor.at("irradiance_direct")), sum(floor.at("unshadowed")), 0.05 * sum(floor.at("unshadowed")));
+  EXPECT_GT(sum(parts.at("cellar").at("unshadowed")), 10 * sum(parts.at("cellar").at("irradiance_direct")));
+  ASSERT_TRUE(floor.contains("distance_oct_63"));
+  // Red is the distance: up to the lamp or 3 above the floor's horizon, none below.
+  double mean = 0;
+  for (int plane = 0; plane < 64; ++plane) {
+    const Image& image = floor.at("distance_oct_" + std::to_string(plane));
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) mean += double(image.pixels[i]) / (64 * 64);
+  }
+  EXPECT_GT(mean, 1.1);
+  EXPECT_LT(mean, 1.5);
+}
+
 TEST_F(ToolBake, TheDensityDecidesTheResolution) {
   ASSERT_EQ(0, bake({"a.exr", "--texels-per-unit", "5.4", "--spp", "1", "--subset", "floor"})) << error_;
   EXPECT_EQ(11u, layers("a.exr").at("").width);
@@ -247,6 +272,7 @@ TEST_F(ToolBake, WhatCannotBeIsTold) {
   refused({"--outputs", "sh3"}, 2, "'sh3' is not known");
   refused({"--outputs", ","}, 2, "is not known");
   refused({"--outputs", "sh1,sh2"}, 2, "one name");
+  refused({"--outputs", "distance-oct"}, 3, "reach");
   refused({"--subset", "lamp"}, 2, "'floor', 'cellar'");
   refused({"--resume"}, 2, "--film");
   refused({"--resolution", "60000"}, 2, "--subset");

@@ -28,15 +28,20 @@ constexpr Kind kKinds[] = {{"e", BDPT_OUTPUT_IRRADIANCE, "irradiance", 1},
                            {"bent-normal", BDPT_OUTPUT_BENT_NORMAL, "bent_normal", 1},
                            {"openness-sh1", BDPT_OUTPUT_OPENNESS_SH1, "openness_sh", 4},
                            {"openness-sh2", BDPT_OUTPUT_OPENNESS_SH2, "openness_sh", 9},
-                           {"fronts", BDPT_OUTPUT_FRONTS, "fronts", 1}};
+                           {"fronts", BDPT_OUTPUT_FRONTS, "fronts", 1},
+                           {"unshadowed", BDPT_OUTPUT_UNSHADOWED, "unshadowed", 1},
+                           {"radiance-oct", BDPT_OUTPUT_RADIANCE_OCTAHEDRAL, "radiance_oct", 64},
+                           {"irradiance-oct", BDPT_OUTPUT_IRRADIANCE_OCTAHEDRAL, "irradiance_oct", 64},
+                           {"distance-oct", BDPT_OUTPUT_DISTANCE_OCTAHEDRAL, "distance_oct", 64}};
 
 constexpr const char* kOutputsHelp =
     "What to bake, separated by commas, each in layers of its own: e: irradiance (default of lightmaps, and of "
     "points with normals); e-over-pi; fluence: over all directions, of points without normals (default); sh1, sh2 "
     "(default of probes): spherical harmonics of radiance; sh1-e, sh2-e: of irradiance; openness (one less ambient "
     "occlusion), "
-    "openness-sh1, openness-sh2, bent-normal; fronts: the part of the rays that meet no back first. With -direct or "
-    "-indirect behind, that part of the light alone";
+    "openness-sh1, openness-sh2, bent-normal; fronts: the part of the rays that meet no back first; unshadowed: direct "
+    "light as if nothing were in its way; radiance-oct, irradiance-oct, distance-oct (needs --reach): over 8 x 8 "
+    "directions of an octahedral map. With -direct or -indirect behind, that part of the light alone";
 
 bool take_ending(std::string& text, const std::string& ending) {
   if (!text.ends_with(ending)) return false;
@@ -44,7 +49,7 @@ bool take_ending(std::string& text, const std::string& ending) {
   return true;
 }
 
-BakeOutput parse_output(const std::string& text, bdpt_light_paths paths) {
+BakeOutput parse_output(const std::string& text, bdpt_light_paths paths, double reach) {
   std::string name = text;
   if (take_ending(name, "-indirect")) {
     paths = BDPT_LIGHT_PATHS_INDIRECT;
@@ -56,6 +61,7 @@ BakeOutput parse_output(const std::string& text, bdpt_light_paths paths) {
     BakeOutput output{sized<bdpt_output_desc>(), {}};
     output.desc.kind = kind.kind;
     output.desc.paths = paths;
+    output.desc.reach = float(reach);
     const char* part = paths == BDPT_LIGHT_PATHS_DIRECT     ? "_direct"
                        : paths == BDPT_LIGHT_PATHS_INDIRECT ? "_indirect"
                                                             : "";
@@ -104,6 +110,10 @@ void add_bake_options(CLI::App& command, BakeOptions& options) {
       ->check(positive())
       ->excludes("--resolution");
   command.add_option("--outputs", options.outputs, kOutputsHelp)->type_name("LIST");
+  command
+      .add_option("--reach", options.reach,
+                  "How far openness, bent normals and distances look (default: openness without end)")
+      ->check(positive());
   command.add_flag_callback(
       "--direct-only", [&options] { options.paths = "direct"; }, "Light straight from lamps");
   command
@@ -133,7 +143,7 @@ std::vector<BakeOutput> bake_outputs(const BakeOptions& options, const std::stri
                                                                : BDPT_LIGHT_PATHS_ALL;
   std::vector<BakeOutput> outputs;
   std::istringstream list(options.outputs.empty() ? usual : options.outputs);
-  for (std::string name; std::getline(list, name, ',');) outputs.push_back(parse_output(name, paths));
+  for (std::string name; std::getline(list, name, ',');) outputs.push_back(parse_output(name, paths, options.reach));
   if (outputs.empty()) throw Error(ExitCode::kUsage, std::string("--outputs: the list is empty; ") + kOutputsHelp);
   for (std::size_t i = 0; i < outputs.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -21,6 +21,7 @@ struct BakeOptions {
   int uv_set = 1;
   std::uint32_t resolution = 0;
   double texels_per_unit = 0;
+  double reach = 0;     // of outputs that look how far it is open; 0 = without end
   std::string outputs;  // empty: what is usual
   std::string paths;    // "direct", "indirect" or both
   std::vector<std::string> subset;
