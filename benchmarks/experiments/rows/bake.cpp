@@ -28,7 +28,7 @@ ContestOptions options_for(std::uint32_t side, const Setting& setting, std::vect
   options.max_edges = kEdges;
   const std::uint64_t texels = std::uint64_t(side) * side, samples = setting.pick(1 << 21, 1 << 18, 1 << 9);
   options.passes = std::max<std::uint64_t>(samples / texels, 1);
-  options.turns = setting.pick(side > 256 ? 4 : 12, 6, 3);
+  options.turns = setting.pick(side > 256 ? 3 : 6, 6, 3);
   if (options.passes < 32)
     for (Variant& v : variants)
       if (passes_at_once(v) > 1) v.pool_passes = 1;
@@ -143,7 +143,7 @@ void own_bake(Report& report) {
       report.compare(room.name, label(contestants.front()), contestants.front().picture, label(contestants.back()),
                      contestants.back().picture, 0);
     }
-    if (setting.size == Size::Full) add_large(table, room.room, 4096, plans, setting);
+    if (setting.size == Size::Full && room.room == BakedRoom::Plain) add_large(table, room.room, 4096, plans, setting);
     report.add(std::move(table));
   }
   report.verdict(good ? Verdict::Agrees : Verdict::Partly, text + ".");
