@@ -82,7 +82,7 @@ void two_way_lightmap(Report& report) {
   ContestOptions options;
   options.max_edges = kEdges;
   options.passes = setting.pick(64, 16, 2);
-  options.turns = setting.pick(16, 4, 2);
+  options.turns = setting.pick(32, 24, 3);  // so that the differences of means are all but normal
   Variant landing = two_way;
   landing.name = "light tracing alone", landing.techniques = "t=0";
   const auto contestants = hold(stage, {two_way, landing, eye_only()}, options);
