@@ -11,7 +11,7 @@ using scenes::Builder;
 
 std::shared_ptr<const VertexBasis> vertices(const ScenePointer& scene,
                                             const std::vector<OutputDesc>& outputs = {OutputDesc{}}) {
-  return std::make_shared<const VertexBasis>(scene, std::vector<VertexInstance>{{0}}, outputs, false, nullptr);
+  return std::make_shared<const VertexBasis>(scene, std::vector<ReceivingInstance>{{0}}, outputs, false, nullptr);
 }
 
 // A square of n x n cells with moved vertices, one of no triangle at the end.

@@ -3,13 +3,13 @@
 #include "api/film_desc.h"
 #include "api/handles.h"
 #include "api/host_array.h"
+#include "api/named_instances.h"
 #include "api/output_desc.h"
 #include "api/parallel.h"
 #include "api/read_rect.h"
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 using namespace bdpt;
 
@@ -27,18 +27,11 @@ AtlasStack read_size(const Subject& subject, const bdpt_lightmap_desc& desc) {
   return {int(desc.width), int(desc.height), int(atlases)};
 }
 
-// Of the scene's instances, by the builder's ids.
-using InstanceIndices = std::unordered_map<uint64_t, uint32_t>;
-
 LightmapInstance read_instance(const bdpt_lightmap_instance& desc, uint32_t number, const Scene& scene,
-                               const InstanceIndices& indices, const AtlasStack& size) {
+                               const NamedInstances& named, const AtlasStack& size) {
   const std::string name = "instance " + std::to_string(number);
   const Subject subject(name.c_str(), nullptr);
-  const auto found = indices.find(desc.instance.id);
-  if (found == indices.end())
-    fail(ErrorCode::InvalidId, name,
-         " is none of the scene's: give an id that the builder had when it built the scene");
-  const uint32_t index = found->second;
+  const uint32_t index = named.find(name, desc.instance.id);
   const std::string& label = scene.instance_label(index);
   const std::string told = label.empty() ? name : name + ", \"" + label + '"';
   const Mesh* mesh = scene.mesh(index);
@@ -66,17 +59,12 @@ std::vector<LightmapInstance> read_instances(const Subject& subject, const bdpt_
   if (desc.instance_count == 0) subject.refuse("instance_count", "is 0: name the instances to bake");
   require(desc.instances, "instances");
   check_stride(subject, "instance_stride", desc.instance_stride, kVersion1Size<bdpt_lightmap_instance>, 8);
-  InstanceIndices indices;
-  for (uint32_t i = 0; i < scene.instance_count(); ++i) indices.emplace(scene.instance_id(i), i);
+  NamedInstances named(scene);
   std::vector<LightmapInstance> instances;
-  std::vector<int> number(scene.instance_count(), -1);
   for (uint32_t i = 0; i < desc.instance_count; ++i) {
     const bdpt_lightmap_instance d = read_struct(&element(desc.instances, i, desc.instance_stride), "instances");
-    instances.push_back(read_instance(d, i, scene, indices, size));
-    int& known = number[instances.back().instance];
-    if (known >= 0)
-      subject.refuse("instances", "has one instance twice, as ", known, " and ", i, ": give it one place in the atlas");
-    known = int(i);
+    instances.push_back(read_instance(d, i, scene, named, size));
+    named.take(subject, instances.back().instance, i, "give it one place in the atlas");
   }
   return instances;
 }

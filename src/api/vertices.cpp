@@ -1,10 +1,9 @@
 #include "api/handles.h"
 #include "api/host_array.h"
 #include "api/lightmap_buffers.h"
+#include "api/named_instances.h"
 #include "api/output_desc.h"
 #include "bake/vertex_basis.h"
-
-#include <unordered_map>
 
 using namespace bdpt;
 
@@ -12,31 +11,25 @@ namespace {
 
 constexpr uint64_t kMostVertices = uint64_t(1) << 32;
 
-std::vector<VertexInstance> read_instances(const Subject& subject, const bdpt_vertices_desc& desc, const Scene& scene) {
+std::vector<ReceivingInstance> read_instances(const Subject& subject, const bdpt_vertices_desc& desc,
+                                              const Scene& scene) {
   if (desc.instance_count == 0) subject.refuse("instance_count", "is 0: name the instances to measure");
   require(desc.instances, "instances");
   check_stride(subject, "instance_stride", desc.instance_stride, kVersion1Size<bdpt_vertex_instance>, 8);
   const uint32_t stride = desc.instance_stride ? desc.instance_stride : desc.instances->struct_size;
-  std::unordered_map<uint64_t, uint32_t> indices;
-  for (uint32_t i = 0; i < scene.instance_count(); ++i) indices.emplace(scene.instance_id(i), i);
-  std::vector<VertexInstance> instances;
-  std::vector<int> known(scene.instance_count(), -1);
+  NamedInstances named(scene);
+  std::vector<ReceivingInstance> instances;
   uint64_t vertices = 0;
   for (uint32_t i = 0; i < desc.instance_count; ++i) {
     const std::string name = "instance " + std::to_string(i);
     const bdpt_vertex_instance d = read_struct(&element(desc.instances, i, stride), name.c_str());
     Subject(name.c_str(), nullptr).check_flag("flip", d.flip);
-    const auto found = indices.find(d.instance.id);
-    if (found == indices.end())
-      fail(ErrorCode::InvalidId, name,
-           " is none of the scene's: give an id that the builder had when it built the scene");
-    const Mesh* mesh = scene.mesh(found->second);
+    const uint32_t index = named.find(name, d.instance.id);
+    const Mesh* mesh = scene.mesh(index);
     if (!mesh) fail(ErrorCode::InvalidArgument, name, " is a sphere, which has no vertices: give meshes");
-    int& number = known[found->second];
-    if (number >= 0) subject.refuse("instances", "has one instance twice, as ", number, " and ", i, ": give it once");
-    number = int(i);
+    named.take(subject, index, i, "give it once");
     vertices += mesh->positions.size();
-    instances.push_back({found->second, d.flip != 0});
+    instances.push_back({index, d.flip != 0});
   }
   if (vertices >= kMostVertices)
     subject.refuse("instances", "have ", vertices, " vertices: give at most ", kMostVertices - 1, " to a sensor");

@@ -4,14 +4,12 @@
 // Eye subpaths start in the texel, uniform by area. Light subpaths that land there count, too (t = 0).
 #pragma once
 
-#include "bake/hemisphere.h"
-#include "bake/outputs.h"
-#include "bake/rows.h"
+#include "bake/surface_sensor.h"
 #include "bake/texel_map.h"
 
 namespace bdpt {
 
-class Lightmap final : public Sensor {
+class Lightmap final : public SurfaceSensor {
  public:
   Lightmap(std::shared_ptr<const Scene> scene, const LightmapDesc& desc, const std::vector<OutputDesc>& outputs,
            const std::shared_ptr<MemoryMeter>& meter);
@@ -20,32 +18,20 @@ class Lightmap final : public Sensor {
 
   int width() const override { return texels_.width(); }
   int height() const override { return texels_.height(); }
-  bool is_hittable() const override { return hittable_; }
   uint64_t hash() const override { return hash_; }
-  bool is_local() const override { return true; }
-  bool is_surface() const override { return true; }
   int64_t number(int x, int y) const override { return texels_.number(x, y); }
   uint64_t count() const override { return texels_.report().texels; }
   void find(uint64_t number, int& x, int& y) const override { texels_.find(number, x, y); }
   uint64_t place(int x, int y) const override {
     return uint64_t(y + texels_.window().y0) * uint64_t(atlas_width_) + uint64_t(x + texels_.window().x0);
   }
-  const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
-  bool responds() const override { return responds_; }
 
   EyeStart start_at(int x, int y, const float u[5]) const override;
-  bool look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const override;
   bool land(const Landing& landing, SensorPoint& z0) const override;
-  void respond(const SensorPlace& place, const Vec3& w, float* response) const override;
 
  private:
-  std::shared_ptr<const Scene> scene_;
   TexelMap texels_;
   int atlas_width_;
-  Outputs outputs_;
-  bool geometric_normals_, responds_;
-  bool hittable_;  // no instance is invisible: else some texels would have t = 0 and some not
-  HemisphereSampler hemisphere_;
   uint64_t hash_;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "bake/burial.h"
+#include "bake/receiving_instance.h"
 #include "base/memory.h"
 #include "math/uv_raster.h"
 #include "scene/scene.h"
@@ -15,12 +16,10 @@
 namespace bdpt {
 
 // An instance of the scene and its place in an atlas: texture coordinates are scaled and moved there.
-struct LightmapInstance {
-  uint32_t instance = 0;
+struct LightmapInstance : ReceivingInstance {
   int atlas = 0;
   int uv_set = 1;
   Vec2 scale{1, 1}, offset{0, 0};
-  bool flip = false;  // receives on the back
 };
 
 // Atlases of one size, one below the other.

@@ -6,22 +6,16 @@ namespace bdpt {
 
 namespace {
 
-uint64_t count_vertices(const Scene& scene, const std::vector<VertexInstance>& instances) {
+uint64_t count_vertices(const Scene& scene, const std::vector<ReceivingInstance>& instances) {
   uint64_t n = 0;
-  for (const VertexInstance& i : instances) n += scene.mesh(i.instance)->positions.size();
+  for (const ReceivingInstance& i : instances) n += scene.mesh(i.instance)->positions.size();
   return n;
 }
 
-uint64_t count_corners(const Scene& scene, const std::vector<VertexInstance>& instances) {
+uint64_t count_corners(const Scene& scene, const std::vector<ReceivingInstance>& instances) {
   uint64_t n = 0;
-  for (const VertexInstance& i : instances) n += 3 * scene.mesh(i.instance)->triangles.size();
+  for (const ReceivingInstance& i : instances) n += 3 * scene.mesh(i.instance)->triangles.size();
   return n;
-}
-
-bool has_normals(const Scene& scene, const std::vector<VertexInstance>& instances) {
-  for (const VertexInstance& i : instances)
-    if (!scene.mesh(i.instance)->normals.empty()) return true;
-  return false;
 }
 
 std::array<uint32_t, 3> corners_of(const Triangle& t) { return {t.a, t.b, t.c}; }
@@ -31,22 +25,16 @@ double sample_hat(double u) { return 0.5 - std::sin(std::asin(1 - 2 * u) / 3); }
 
 }  // namespace
 
-VertexBasis::VertexBasis(std::shared_ptr<const Scene> scene, const std::vector<VertexInstance>& instances,
+VertexBasis::VertexBasis(std::shared_ptr<const Scene> scene, const std::vector<ReceivingInstance>& instances,
                          const std::vector<OutputDesc>& outputs, bool geometric_normals,
                          const std::shared_ptr<MemoryMeter>& meter)
-    : scene_(std::move(scene)),
+    : SurfaceSensor(std::move(scene), instances, outputs, geometric_normals),
       by_instance_(scene_->instance_count(), -1),
-      rows_(count_vertices(*scene_, instances)),
-      outputs_(outputs),
-      geometric_normals_(geometric_normals || !has_normals(*scene_, instances)),
-      responds_(outputs_.respond(true, !geometric_normals_)),
-      hittable_(std::all_of(instances.begin(), instances.end(),
-                            [&](const VertexInstance& i) { return scene_->is_visible(i.instance); })),
-      hemisphere_(all_fade(outputs) && geometric_normals_ ? 1 : 0.5f) {
+      rows_(count_vertices(*scene_, instances)) {
   booking_ = Booking(meter, rows_.count * 32 + count_corners(*scene_, instances) * sizeof(Corner), "the vertices");
-  hash_ = hash_combine(hash_values(scene_->info().hash, 0x7665727469636573ull, geometric_normals_), outputs_.hash());
+  hash_ = hash_combine(base_hash(), 0x7665727469636573ull);
   uint64_t first = 0;
-  for (const VertexInstance& i : instances) {
+  for (const ReceivingInstance& i : instances) {
     by_instance_[i.instance] = int(placed_.size());
     placed_.push_back({i, first});
     first += scene_->mesh(i.instance)->positions.size();
@@ -106,47 +94,24 @@ EyeStart VertexBasis::start_at(int x, int y, const float u[5]) const {
   b[found->corner] = sample_hat(rest);
   b[(found->corner + 1) % 3] = (1 - b[found->corner]) * double(u[1]);
   b[(found->corner + 2) % 3] = (1 - b[found->corner]) * (1 - double(u[1]));
-  const Placed& placed = placed_[found->placed];
-  Surface surface{};
-  scene_->point(placed.instance, found->primitive, float(b[1]), float(b[2]), surface);
-  const float side = placed.flip ? -1.0f : 1.0f;
-  EyeStart s;
+  EyeStart s = start_on(placed_[found->placed], found->primitive, float(b[1]), float(b[2]), u + 2);
   s.film = center_of(x, y);
-  s.p = surface.p;
-  s.normal = surface.ng * side;
-  s.shading = geometric_normals_ ? s.normal : surface.ns * side;
-  s.margin = surface.margin;
   s.density_position = float(1 / areas_[vertex]);
-  hemisphere_.start(u + 2, s);
   return s;
-}
-
-bool VertexBasis::look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const {
-  return hemisphere_.look(z0.normal, w, direction);
 }
 
 bool VertexBasis::land(const Landing& landing, SensorPoint& z0) const {
   const int index = by_instance_[landing.instance];
   if (index < 0) return false;
   const Placed& placed = placed_[size_t(index)];
-  const float side = placed.flip ? -1.0f : 1.0f;
-  z0.normal = landing.ng * side;
-  const float cosine = -dot(z0.normal, landing.direction);
-  if (!(cosine > 0)) return false;
+  if (!receive(placed, landing, z0)) return false;
   const auto corners = corners_of(scene_->mesh(placed.instance)->triangles[landing.primitive]);
   const uint32_t corner = landing.chance < landing.u ? 1 : landing.chance < landing.u + landing.v ? 2 : 0;
   const uint64_t vertex = placed.first + corners[corner];
   if (!(areas_[vertex] > 0)) return false;
-  z0.shading = geometric_normals_ ? z0.normal : landing.ns * side;
   z0.film = rows_.place(vertex);
-  z0.p = landing.p;
   z0.importance = z0.density_position = float(1 / areas_[vertex]);
-  z0.density_direction = hemisphere_.density(cosine);
   return true;
-}
-
-void VertexBasis::respond(const SensorPlace& place, const Vec3& w, float* response) const {
-  outputs_.evaluate(w, place.shading, dot(place.normal, w), response);
 }
 
 // Conjugate gradients (Hestenes and Stiefel 1952) on D^-1/2 M D^-1/2, D the diagonal of M, whose eigenvalues lie within

@@ -4,26 +4,19 @@
 // its triangle with probability h_j(x): h_j is in the chance of both sides, and their ratio is that of 1 / INT h_j.
 #pragma once
 
-#include "bake/hemisphere.h"
-#include "bake/outputs.h"
 #include "bake/rows.h"
+#include "bake/surface_sensor.h"
 #include "base/memory.h"
-#include "scene/scene.h"
 
 #include <array>
 #include <memory>
 
 namespace bdpt {
 
-struct VertexInstance {
-  uint32_t instance = 0;
-  bool flip = false;  // receives on the back
-};
-
 // Vertices are numbered through all instances, in their order; each one's are those of its mesh.
-class VertexBasis final : public Sensor {
+class VertexBasis final : public SurfaceSensor {
  public:
-  VertexBasis(std::shared_ptr<const Scene> scene, const std::vector<VertexInstance>& instances,
+  VertexBasis(std::shared_ptr<const Scene> scene, const std::vector<ReceivingInstance>& instances,
               const std::vector<OutputDesc>& outputs, bool geometric_normals,
               const std::shared_ptr<MemoryMeter>& meter);
 
@@ -35,10 +28,7 @@ class VertexBasis final : public Sensor {
 
   int width() const override { return rows_.width; }
   int height() const override { return rows_.height; }
-  bool is_hittable() const override { return hittable_; }
   uint64_t hash() const override { return hash_; }
-  bool is_local() const override { return true; }
-  bool is_surface() const override { return true; }
   bool lands_by_chance() const override { return true; }
   int64_t number(int x, int y) const override {
     const int64_t vertex = rows_.number(x, y);
@@ -49,13 +39,9 @@ class VertexBasis final : public Sensor {
     const FilmPosition place = rows_.place(measured_[number]);
     x = int(place.x), y = int(place.y);
   }
-  const std::vector<OutputPlanes>& outputs() const override { return outputs_.list(); }
-  bool responds() const override { return responds_; }
 
   EyeStart start_at(int x, int y, const float u[5]) const override;
-  bool look(const EyeStart& z0, const Vec3& w, SensorDirection& direction) const override;
   bool land(const Landing& landing, SensorPoint& z0) const override;
-  void respond(const SensorPlace& place, const Vec3& w, float* response) const override;
 
  private:
   // A vertex's part of a triangle.
@@ -64,14 +50,13 @@ class VertexBasis final : public Sensor {
     uint32_t corner;  // 0, 1 or 2
     double until;     // area of the vertex's triangles up to this one
   };
-  struct Placed : VertexInstance {
+  struct Placed : ReceivingInstance {
     uint64_t first;  // its first vertex
   };
   template <class Visit>
   void each_triangle(Visit&& visit) const;
   void collect();
 
-  std::shared_ptr<const Scene> scene_;
   std::vector<Placed> placed_;
   std::vector<int> by_instance_;
   Rows rows_;
@@ -80,9 +65,6 @@ class VertexBasis final : public Sensor {
   std::vector<Corner> corners_;
   std::vector<int64_t> numbers_;    // among those that are measured; -1 for others
   std::vector<uint64_t> measured_;  // vertices by these numbers
-  Outputs outputs_;
-  bool geometric_normals_, responds_, hittable_;
-  HemisphereSampler hemisphere_;
   uint64_t hash_;
   Booking booking_;
 };
