@@ -254,6 +254,7 @@ typedef int32_t bdpt_format;
 #define BDPT_FORMAT_FLOAT3 2   /* three 32-bit floats */
 #define BDPT_FORMAT_UINT16X3 3 /* a triangle's three indices */
 #define BDPT_FORMAT_UINT32X3 4
+#define BDPT_FORMAT_FLOAT4 5   /* four 32-bit floats */
 
 typedef int32_t bdpt_ownership;
 #define BDPT_OWNERSHIP_COPY 0   /* the library copies during the call */
@@ -282,6 +283,10 @@ typedef struct bdpt_mesh_desc {
   bdpt_data indices;   /* UINT16X3 or UINT32X3; absent = vertices 3i, 3i+1, 3i+2 */
   bdpt_data normals;   /* FLOAT3, as many as positions, of any length but zero; absent = flat */
   bdpt_data uv[2];     /* FLOAT2, as many as positions; set 0 for textures, set 1 for lightmaps */
+  bdpt_data colors;    /* FLOAT3 or FLOAT4, as many as positions, [0,1], linear: multiply the reflectance of the instance's
+                          material, and the fourth its opacity */
+  bdpt_data tangents;  /* FLOAT4, as many as positions: where x of normal maps points, of any length but zero, and the sign
+                          of y, 1 or -1: y = sign * normal x tangent. Absent = along u, triangle by triangle */
 } bdpt_mesh_desc;
 
 /* Adds a triangle mesh. Triangles without area are dropped and counted (bdpt_scene_info, and the log).
@@ -309,25 +314,30 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_sphere_add(bdpt_builder *builder, const bdp
 BDPT_API BDPT_CHECK bdpt_result bdpt_shape_remove(bdpt_builder *builder, bdpt_shape_id shape);
 
 typedef int32_t bdpt_texel;
-#define BDPT_TEXEL_UINT8 0
+#define BDPT_TEXEL_UINT8 0  /* 255 is 1 */
 #define BDPT_TEXEL_FLOAT 1
+#define BDPT_TEXEL_UINT16 2 /* 65535 is 1 */
+#define BDPT_TEXEL_HALF 3
 
 typedef int32_t bdpt_encoding;
-#define BDPT_ENCODING_SRGB 0   /* texels are decoded by the sRGB curve */
+#define BDPT_ENCODING_SRGB 0   /* texels, but for alpha, are decoded by the sRGB curve */
 #define BDPT_ENCODING_LINEAR 1
 
 typedef struct bdpt_texture_desc {
   uint32_t struct_size;
-  uint32_t channels;      /* 1, 3 or 4; a fourth is not used yet */
+  uint32_t channels;      /* 1 to 4: grey; grey, alpha; red, green, blue; red, green, blue, alpha. Grey stands for all
+                             three colours; alpha is 1 where there is none */
   const char *label;
   const void *pixels;     /* row 0 is the top, v = 1 */
   uint32_t width, height; /* 1 to 65536 */
   uint64_t row_stride;    /* bytes; 0 = packed */
   bdpt_texel texel;
   bdpt_encoding encoding;
+  uint32_t mip_levels;    /* at most so many, the image being one; each halves the one before. 0 = 1 */
+  uint32_t reserved;
 } bdpt_texture_desc;
 
-/* Adds an image texture: bilinear, repeated in both directions, looked up by uv set 0.
+/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use).
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite or negative), _MEMORY_LIMIT,
  * _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
@@ -342,13 +352,54 @@ typedef int32_t bdpt_material_type;
 #define BDPT_MATERIAL_CONDUCTOR 2  /* Fresnel reflection by a complex index; smooth, or GGX where roughness > 0 */
 #define BDPT_MATERIAL_DIELECTRIC 3 /* Fresnel reflection and refraction; smooth, or GGX where roughness > 0 */
 
+typedef int32_t bdpt_slot;
+/* What a texture varies. Colours are multiplied by the texture's, numbers by one of its channels. */
+#define BDPT_SLOT_REFLECTANCE 0 /* colour */
+#define BDPT_SLOT_ROUGHNESS 1   /* number, along u and v */
+#define BDPT_SLOT_NORMAL 2      /* a tangent-space normal map: 2 rgb - 1, x along u, y along v; x and y times scale */
+#define BDPT_SLOT_BUMP 3        /* the surface seems raised along its normal by a channel times scale, in world units */
+#define BDPT_SLOT_OPACITY 4     /* number */
+
+typedef int32_t bdpt_wrap;
+#define BDPT_WRAP_REPEAT 0
+#define BDPT_WRAP_MIRROR 1
+#define BDPT_WRAP_CLAMP 2 /* beyond the edge the last texel goes on */
+
+typedef int32_t bdpt_lookup;
+#define BDPT_LOOKUP_BILINEAR 0
+#define BDPT_LOOKUP_NEAREST 1
+#define BDPT_LOOKUP_BICUBIC 2 /* by B-splines: smooth, and never beyond the texels' range */
+
+/* A texture that varies a number of a material over the surface. What it gives depends on the place alone, never on the
+ * distance it is seen from: else what light subpaths see would not be what eye subpaths see. */
+typedef struct bdpt_texture_use {
+  uint32_t struct_size;
+  bdpt_slot slot;          /* each slot once */
+  bdpt_texture_id texture;
+  uint32_t channel;        /* of numbers: 0 to 3 for red, green, blue, alpha; of colours and normals 0 */
+  uint32_t uv_set;         /* 0 or 1. A mesh without set 0 has (0,0), (1,0), (1,1) at each triangle's corners; spheres have
+                              u the angle round z, v from -z to z */
+  float transform[6];      /* rows of a matrix: u' = t0 u + t1 v + t2, v' = t3 u + t4 v + t5, invertible; six zeros = identity */
+  bdpt_wrap wrap[2];       /* of u and v */
+  bdpt_lookup lookup;
+  float level;             /* mip level, >= 0; between two levels both are mixed; beyond the last it is the last */
+  float scale;             /* of normal and bump; 0 = 1 */
+  uint32_t reserved;
+} bdpt_texture_use;
+
+typedef int32_t bdpt_opacity_mode;
+#define BDPT_OPACITY_OPAQUE 0
+#define BDPT_OPACITY_MASK 1  /* there where opacity is at least the cutoff */
+#define BDPT_OPACITY_BLEND 2 /* there with the probability of opacity, by a hash of the ray */
+
 typedef struct bdpt_material_desc {
   uint32_t struct_size;
   bdpt_material_type type;
   const char *label;
   float reflectance[3];                /* diffuse and mirror: [0,1] per channel */
   uint32_t one_sided;                  /* 1: what meets the back is absorbed. Not for dielectrics */
-  bdpt_texture_id reflectance_texture; /* diffuse and mirror: multiplies nothing, replaces reflectance; zero = none */
+  bdpt_texture_id reflectance_texture; /* diffuse and mirror: replaces reflectance; zero = none. Short for a use of
+                                          slot REFLECTANCE, uv set 0, with reflectance (1,1,1) */
   float eta[3];                        /* conductor: real part of the index, >= 0 */
   float k[3];                          /* conductor: imaginary part, >= 0; eta and k not both zero in a channel */
   float ior;                           /* dielectric: index inside over index outside; 0 = 1.5; else in [0.1, 10] */
@@ -356,6 +407,13 @@ typedef struct bdpt_material_desc {
   float emission[3];                   /* radiance emitted by the front [W/(m² sr)], >= 0: an instance is a light */
   uint32_t emission_two_sided;         /* 1: the back emits too */
   uint32_t emission_group;             /* the light's group, [0,63]; see bdpt_light_desc */
+  const bdpt_texture_use *textures;    /* textures that vary the numbers above; copied */
+  uint32_t texture_count;
+  uint32_t texture_stride;             /* bytes from one to the next; 0 = struct_size of the first */
+  uint32_t perceptual_roughness;       /* 1: alpha is the square of roughness, and of its texture, as in glTF and OpenPBR */
+  bdpt_opacity_mode opacity_mode;      /* rays of all kinds pass where the surface is not there. Not for what emits */
+  float opacity;                       /* of mask and blend: [0,1] */
+  float opacity_cutoff;                /* of mask: [0,1]; 0 = 0.5 */
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.

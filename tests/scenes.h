@@ -58,11 +58,32 @@ inline Material dielectric(float ior, float alpha = 0) {
   return m;
 }
 
+// --- Textures ---
+
+// Floats, packed; row 0 is v = 1.
+inline Texture texture(uint32_t width, uint32_t height, uint32_t channels, const std::vector<float>& texels,
+                       uint32_t levels = 1) {
+  TextureImage image;
+  image.width = width, image.height = height, image.channels = channels;
+  const auto* bytes = reinterpret_cast<const std::byte*>(texels.data());
+  image.texels.assign(bytes, bytes + texels.size() * sizeof(float));
+  return Texture(std::move(image), levels);
+}
+
+inline MaterialDesc textured(const MaterialDesc& material, Slot slot, int texture, uint8_t channel = 0) {
+  MaterialDesc m = material;
+  TextureUse use;
+  use.slot = slot, use.texture = texture, use.channel = channel;
+  m.textures.push_back(use);
+  return m;
+}
+
 // --- Meshes ---
 
 struct MeshData {
   std::vector<Vec3> positions, normals;
   std::vector<Vec2> uv, lightmap_uv;
+  std::vector<Rgba> colors;
   std::vector<Triangle> triangles;
 
   // Front where a, b, c, d turn counter-clockwise.
@@ -158,6 +179,7 @@ inline std::shared_ptr<const Mesh> make_mesh(const MeshData& data) {
   mesh->normals = View<Vec3>(own->normals.data(), own->normals.size(), sizeof(Vec3));
   mesh->uv[0] = View<Vec2>(own->uv.data(), own->uv.size(), sizeof(Vec2));
   mesh->uv[1] = View<Vec2>(own->lightmap_uv.data(), own->lightmap_uv.size(), sizeof(Vec2));
+  mesh->colors = View<Rgba>(own->colors.data(), own->colors.size(), sizeof(Rgba));
   mesh->content_hash = hash_bytes(own->positions.data(), data.positions.size() * sizeof(Vec3));
   mesh->content_hash = hash_bytes(own->lightmap_uv.data(), own->lightmap_uv.size() * sizeof(Vec2), mesh->content_hash);
   mesh->keepers.push_back(own);
@@ -170,17 +192,17 @@ class Builder {
  public:
   explicit Builder(float scale = 1) : scale_(scale) {}
 
-  Builder& add(MeshData data, const Material& material, const Transform& transform = {}) {
+  Builder& add(MeshData data, const MaterialDesc& material, const Transform& transform = {}) {
     for (Vec3& p : data.positions) p *= scale_;
     return add({make_mesh(data), nullptr}, material, transform);
   }
-  Builder& add_sphere(const Vec3& center, float radius, const Material& material) {
+  Builder& add_sphere(const Vec3& center, float radius, const MaterialDesc& material) {
     Sphere sphere;
     sphere.center = center * scale_;
     sphere.radius = radius * scale_;
     return add({nullptr, std::make_shared<const Sphere>(sphere)}, material, {});
   }
-  Builder& add(const Shape& shape, const Material& material, const Transform& transform) {
+  Builder& add(const Shape& shape, const MaterialDesc& material, const Transform& transform) {
     desc_.shapes.push_back(shape);
     desc_.materials.push_back(material);
     return add_instance(int(desc_.shapes.size()) - 1, int(desc_.materials.size()) - 1, transform);
@@ -199,6 +221,10 @@ class Builder {
   Builder& invisible() {
     desc_.instances.back().invisible = true;
     return *this;
+  }
+  int add_material(const MaterialDesc& material) {
+    desc_.materials.push_back(material);
+    return int(desc_.materials.size()) - 1;
   }
   int add_texture(Texture texture) {
     desc_.textures.push_back(std::make_shared<const Texture>(std::move(texture)));

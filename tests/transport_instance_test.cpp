@@ -55,13 +55,12 @@ Texture checks() {
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x)
       for (float v : {0.8f, 0.5f, 0.3f}) texels.push_back((x + y) % 2 ? v : 0.9f - v);
-  return Texture("checks", 4, 4, 3, std::move(texels));
+  return scenes::texture(4, 4, 3, texels);
 }
 
 ScenePointer build(bool instanced) {
   Builder b;
-  Material floor = scenes::diffuse(0.5f);
-  floor.reflectance_texture = b.add_texture(checks());
+  const MaterialDesc floor = scenes::textured(scenes::diffuse(1), Slot::Reflectance, b.add_texture(checks()));
   MeshData ground = scenes::box(Vec3(-1), Vec3(1), true, 4);
   ground.uv = {Vec2(0, 0), Vec2(3, 0), Vec2(3, 2), Vec2(0, 2)};
   b.add(ground, floor);

@@ -7,8 +7,8 @@
 #include "geometry/mesh.h"
 #include "geometry/texture.h"
 #include "light/light_desc.h"
-#include "material/material.h"
 #include "math/transform.h"
+#include "scene/material_desc.h"
 
 #include <memory>
 #include <string>
@@ -32,8 +32,8 @@ struct TextureEntry {
 
 struct MaterialEntry {
   std::string label;
-  Material material;     // reflectance_texture is set when a scene is built
-  uint64_t texture = 0;  // id, or zero
+  MaterialDesc material;           // its textures are indices into the following until a scene is built
+  std::vector<uint64_t> textures;  // ids
   uint64_t users = 0;
 };
 

@@ -1,12 +1,14 @@
 #include "api/builder.h"
 #include "api/check.h"
 #include "api/desc.h"
+#include "api/texture_use.h"
 
 using namespace bdpt;
 
 namespace {
 
 constexpr float kDefaultIor = 1.5f;
+constexpr float kDefaultCutoff = 0.5f;
 
 void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_enum("type", desc.type, BDPT_MATERIAL_DIELECTRIC);
@@ -19,6 +21,10 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_not_negative("emission", desc.emission, 3);
   subject.check_flag("emission_two_sided", desc.emission_two_sided);
   subject.check_range("emission_group", desc.emission_group, 0, 63);
+  subject.check_flag("perceptual_roughness", desc.perceptual_roughness);
+  subject.check_enum("opacity_mode", desc.opacity_mode, BDPT_OPACITY_BLEND);
+  subject.check_range("opacity", &desc.opacity, 1, 0, 1);
+  subject.check_range("opacity_cutoff", &desc.opacity_cutoff, 1, 0, 1);
 }
 
 // What only the type in question asks for.
@@ -37,40 +43,47 @@ void check_type(const Subject& subject, const bdpt_material_desc& desc) {
       subject.refuse("eta and k", "are both 0 in channel ", i, ": give the metal's complex index of refraction");
 }
 
+Opacity read_opacity(const Subject& subject, const bdpt_material_desc& desc) {
+  Opacity opacity;
+  if (desc.opacity_mode == BDPT_OPACITY_OPAQUE) return opacity;
+  for (float v : desc.emission)
+    if (v > 0) subject.refuse("opacity_mode", "is not opaque, but the material emits: give it no emission");
+  opacity.mode = desc.opacity_mode == BDPT_OPACITY_MASK ? Opacity::Mode::Mask : Opacity::Mode::Blend;
+  opacity.value = desc.opacity;
+  opacity.cutoff = desc.opacity_cutoff == 0 ? kDefaultCutoff : desc.opacity_cutoff;
+  return opacity;
+}
+
 MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& desc) {
   const Subject subject("material", desc.label);
   check_fields(subject, desc);
   check_type(subject, desc);
-  if (desc.reflectance_texture.id != 0) {
-    const TextureEntry& texture = builder.textures.at(desc.reflectance_texture.id, "desc.reflectance_texture");
-    if (texture.maximum > 1)
-      subject.refuse("reflectance_texture", "has texels up to ", texture.maximum,
-                     ": a surface reflects no more than it receives; scale them to at most 1");
-  }
   MaterialEntry entry;
   entry.label = subject.label();
-  entry.texture = desc.reflectance_texture.id;
-  Material& m = entry.material;
+  MaterialDesc& m = entry.material;
   m.type = static_cast<MaterialType>(desc.type);
   m.reflectance = to_rgb(desc.reflectance);
   m.eta = to_rgb(desc.eta);
   m.k = to_rgb(desc.k);
   m.ior = desc.ior == 0 ? kDefaultIor : desc.ior;
-  m.alpha_u = desc.roughness[0];
-  m.alpha_v = desc.roughness[1];
+  const auto alpha = [&](float roughness) { return desc.perceptual_roughness ? roughness * roughness : roughness; };
+  m.alpha_u = alpha(desc.roughness[0]);
+  m.alpha_v = alpha(desc.roughness[1]);
   m.one_sided = desc.one_sided != 0;
   m.emission = to_rgb(desc.emission);
   m.emission_two_sided = desc.emission_two_sided != 0;
   m.emission_group = desc.emission_group;
+  m.opacity = read_opacity(subject, desc);
+  read_texture_uses(builder, subject, desc, entry);
   return entry;
 }
 
-void use_texture(bdpt_builder& builder, uint64_t texture) {
-  if (texture) ++builder.textures[texture].users;
+void use_textures(bdpt_builder& builder, const MaterialEntry& material) {
+  for (uint64_t id : material.textures) ++builder.textures[id].users;
 }
 
-void leave_texture(bdpt_builder& builder, uint64_t texture) {
-  if (texture) --builder.textures[texture].users;
+void leave_textures(bdpt_builder& builder, const MaterialEntry& material) {
+  for (uint64_t id : material.textures) --builder.textures[id].users;
 }
 
 }  // namespace
@@ -82,7 +95,7 @@ bdpt_result bdpt_material_add(bdpt_builder* builder, const bdpt_material_desc* d
     const bdpt_material_desc d = read_struct(desc, "desc");
     require(material, "material");
     material->id = b.materials.add(read_material(b, d));
-    use_texture(b, d.reflectance_texture.id);
+    use_textures(b, b.materials[material->id]);
   });
 }
 
@@ -93,8 +106,8 @@ bdpt_result bdpt_material_update(bdpt_builder* builder, bdpt_material_id materia
     MaterialEntry& entry = b.materials.at(material.id, "material");
     MaterialEntry updated = read_material(b, d);
     updated.users = entry.users;
-    use_texture(b, updated.texture);
-    leave_texture(b, entry.texture);
+    use_textures(b, updated);
+    leave_textures(b, entry);
     entry = std::move(updated);
   });
 }
@@ -104,7 +117,7 @@ bdpt_result bdpt_material_remove(bdpt_builder* builder, bdpt_material_id materia
     bdpt_builder& b = writable(builder);
     const MaterialEntry& entry = b.materials.at(material.id, "material");
     check_unused(entry.users, "material", entry.label, "instance");
-    leave_texture(b, entry.texture);
+    leave_textures(b, entry);
     b.materials.take(material.id);
   });
 }

@@ -27,6 +27,8 @@ class MeshReader {
     normals_ = read_view(subject_, "normals", desc.normals, bit(BDPT_FORMAT_FLOAT3));
     uv_[0] = read_view(subject_, "uv[0]", desc.uv[0], bit(BDPT_FORMAT_FLOAT2));
     uv_[1] = read_view(subject_, "uv[1]", desc.uv[1], bit(BDPT_FORMAT_FLOAT2));
+    colors_ = read_view(subject_, "colors", desc.colors, bit(BDPT_FORMAT_FLOAT3) | bit(BDPT_FORMAT_FLOAT4));
+    tangents_ = read_view(subject_, "tangents", desc.tangents, bit(BDPT_FORMAT_FLOAT4));
   }
 
   std::shared_ptr<const Mesh> read() {
@@ -41,6 +43,8 @@ class MeshReader {
     take_triangles();
     take_normals();
     for (int i = 0; i < 2; ++i) take_uv(i);
+    take_colors();
+    take_tangents();
     mesh_->content_hash = content_hash();
     return mesh_;
   }
@@ -49,6 +53,7 @@ class MeshReader {
   void check_counts() const;
   void check_values() const;
   uint64_t triangle_count() const { return indices_.count ? indices_.count : positions_.count / 3; }
+  Rgba color(uint64_t i) const;
   Triangle triangle(uint64_t i) const { return read_triangle(indices_, i); }
   bool is_degenerate(const Triangle& t) const {
     const View<Vec3> p = positions_.as<Vec3>();
@@ -60,6 +65,8 @@ class MeshReader {
   void take_triangles();
   void take_normals();
   void take_uv(int set);
+  void take_colors();
+  void take_tangents();
   template <class T>
   View<T> borrow(const HostView& view, FinalCall& release);
   template <class T, class Fill>
@@ -69,7 +76,7 @@ class MeshReader {
   Subject subject_;
   MeshReleases& releases_;
   const std::shared_ptr<MemoryMeter>& meter_;
-  HostView positions_, indices_, normals_, uv_[2];
+  HostView positions_, indices_, normals_, uv_[2], colors_, tangents_;
   std::shared_ptr<Mesh> mesh_ = std::make_shared<Mesh>();
 };
 
@@ -86,6 +93,8 @@ void MeshReader::check_counts() const {
   check("normals.count", normals_);
   check("uv[0].count", uv_[0]);
   check("uv[1].count", uv_[1]);
+  check("colors.count", colors_);
+  check("tangents.count", tangents_);
 }
 
 void MeshReader::check_values() const {
@@ -93,6 +102,17 @@ void MeshReader::check_values() const {
   check_finite_view(subject_, "normals", normals_);
   check_finite_view(subject_, "uv[0]", uv_[0]);
   check_finite_view(subject_, "uv[1]", uv_[1]);
+  check_finite_view(subject_, "colors", colors_);
+  check_finite_view(subject_, "tangents", tangents_);
+  for (uint64_t i = 0; i < colors_.count; ++i)
+    for (float v : color(i))
+      if (!(v >= 0 && v <= 1)) subject_.refuse("colors", "has the value ", v, " in element ", i, ": give [0,1]");
+  for (uint64_t i = 0; i < tangents_.count; ++i) {
+    const Tangent t = tangents_.as<Tangent>()[i];
+    if (t.direction == Vec3(0) || std::fabs(t.sign) != 1)
+      subject_.refuse("tangents", "is (", t.direction.x, ", ", t.direction.y, ", ", t.direction.z, ", ", t.sign,
+                      ") in element ", i, ": give a direction of any length but zero, and a sign of 1 or -1");
+  }
   const View<Vec3> normals = normals_.as<Vec3>();
   for (size_t i = 0; i < normals.size(); ++i)
     if (normals[i] == Vec3(0))
@@ -193,6 +213,35 @@ void MeshReader::take_uv(int set) {
   });
 }
 
+Rgba MeshReader::color(uint64_t i) const {
+  if (colors_.format == BDPT_FORMAT_FLOAT4) return colors_.as<Rgba>()[i];
+  const Vec3 rgb = colors_.as<Vec3>()[i];
+  return {rgb.x, rgb.y, rgb.z, 1};
+}
+
+void MeshReader::take_colors() {
+  if (colors_.count == 0) return;
+  if (colors_.borrowed && colors_.format == BDPT_FORMAT_FLOAT4) {
+    mesh_->colors = borrow<Rgba>(colors_, releases_.colors);
+    return;
+  }
+  mesh_->colors = own<Rgba>(colors_.count, "colors", [&](std::vector<Rgba>& values) {
+    for (size_t i = 0; i < colors_.count; ++i) values.push_back(color(i));
+  });
+}
+
+void MeshReader::take_tangents() {
+  if (tangents_.count == 0) return;
+  if (tangents_.borrowed) {
+    mesh_->tangents = borrow<Tangent>(tangents_, releases_.tangents);
+    return;
+  }
+  mesh_->tangents = own<Tangent>(tangents_.count, "tangents", [&](std::vector<Tangent>& values) {
+    const View<Tangent> from = tangents_.as<Tangent>();
+    for (size_t i = 0; i < from.size(); ++i) values.push_back(from[i]);
+  });
+}
+
 // Of the values alone: the same for every stride, index format and ownership.
 template <class T>
 uint64_t hash_view(const View<T>& view, uint64_t h) {
@@ -209,7 +258,10 @@ uint64_t MeshReader::content_hash() const {
   h = hash_view(mesh_->triangles, h);
   h = hash_view(mesh_->normals, h);
   h = hash_view(mesh_->uv[0], h);
-  return hash_view(mesh_->uv[1], h);
+  h = hash_view(mesh_->uv[1], h);
+  if (!mesh_->colors.empty()) h = hash_view(mesh_->colors, h);
+  if (!mesh_->tangents.empty()) h = hash_view(mesh_->tangents, hash_combine(h, 1));
+  return h;
 }
 
 FinalCall final_call(const bdpt_data& data) { return {data.release, data.user, data.data}; }
@@ -223,7 +275,9 @@ MeshReleases::MeshReleases(const bdpt_mesh_desc& desc)
     : positions(final_call(desc.positions)),
       indices(final_call(desc.indices)),
       normals(final_call(desc.normals)),
-      uv{final_call(desc.uv[0]), final_call(desc.uv[1])} {}
+      uv{final_call(desc.uv[0]), final_call(desc.uv[1])},
+      colors(final_call(desc.colors)),
+      tangents(final_call(desc.tangents)) {}
 
 std::shared_ptr<const Mesh> read_mesh(const bdpt_mesh_desc& desc, MeshReleases& releases,
                                       const std::shared_ptr<MemoryMeter>& meter) {

@@ -14,7 +14,7 @@ namespace bdpt {
 class MeshReleases {
  public:
   explicit MeshReleases(const bdpt_mesh_desc* desc);
-  FinalCall positions, indices, normals, uv[2];
+  FinalCall positions, indices, normals, uv[2], colors, tangents;
 
  private:
   explicit MeshReleases(const bdpt_mesh_desc& desc);

@@ -46,7 +46,10 @@ class Collector {
     return index(materials_, id, [&] {
       const MaterialEntry& entry = builder_.materials[id];
       desc_.materials.push_back(entry.material);
-      if (entry.texture) desc_.materials.back().reflectance_texture = texture(entry.texture);
+      MaterialDesc& desc = desc_.materials.back();
+      const auto resolve = [&](int& number) { number = texture(entry.textures[size_t(number)]); };
+      for (TextureUse& use : desc.textures) resolve(use.texture);
+      if (desc.opacity.texture >= 0) resolve(desc.opacity.texture);
     });
   }
 

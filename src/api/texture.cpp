@@ -2,11 +2,14 @@
 #include "api/check.h"
 #include "api/desc.h"
 
+#include <Imath/half.h>
+
 using namespace bdpt;
 
 namespace {
 
 constexpr uint32_t kMaxSide = 65536;
+constexpr uint32_t kMaxLevels = 17;
 constexpr uint64_t kMaxRowStride = uint64_t(1) << 32;
 
 // A texture with its place in the memory booked.
@@ -19,88 +22,121 @@ struct BookedTexture {
 class TextureReader {
  public:
   explicit TextureReader(const bdpt_texture_desc& desc) : subject_("texture", desc.label), desc_(desc) {
-    if (desc.channels != 1 && desc.channels != 3 && desc.channels != 4)
-      subject_.refuse("channels", "is ", desc.channels, ": give 1, 3 or 4");
+    subject_.check_range("channels", desc.channels, 1, 4);
     subject_.check_range("width", desc.width, 1, kMaxSide);
     subject_.check_range("height", desc.height, 1, kMaxSide);
-    subject_.check_enum("texel", desc.texel, BDPT_TEXEL_FLOAT);
+    subject_.check_enum("texel", desc.texel, BDPT_TEXEL_HALF);
     subject_.check_enum("encoding", desc.encoding, BDPT_ENCODING_LINEAR);
+    subject_.check_range("mip_levels", desc.mip_levels, 0, kMaxLevels);
+    subject_.check_reserved("reserved", desc.reserved);
     if (!desc.pixels) subject_.refuse("pixels", "is NULL: pass the texels");
     check_layout();
   }
 
   TextureEntry read(const std::shared_ptr<MemoryMeter>& meter) const {
-    const uint64_t texels = uint64_t(desc_.width) * desc_.height * kept_channels();
-    Booking booking(meter, texels * texel_size(), subject_.name().c_str());
+    const uint32_t levels = std::max(desc_.mip_levels, 1u);
+    Booking booking(meter, Texture::memory(desc_.width, desc_.height, desc_.channels, kept_format(), levels),
+                    subject_.name().c_str());
     TextureEntry entry;
-    entry.maximum = is_float() ? check_floats() : 1;
-    auto booked = std::make_shared<const BookedTexture>(std::move(booking), is_float() ? floats() : bytes());
+    entry.maximum = is_real() ? check_values() : 1;
+    auto booked = std::make_shared<const BookedTexture>(std::move(booking), Texture(image(), levels));
     entry.texture = std::shared_ptr<const Texture>(booked, &booked->texture);
     return entry;
   }
 
  private:
-  bool is_float() const { return desc_.texel == BDPT_TEXEL_FLOAT; }
-  uint32_t texel_size() const { return is_float() ? sizeof(float) : 1; }
-  uint32_t kept_channels() const { return desc_.channels == 1 ? 1 : 3; }
-  uint64_t row_stride() const {
-    return desc_.row_stride ? desc_.row_stride : uint64_t(desc_.width) * desc_.channels * texel_size();
+  bool is_real() const { return desc_.texel == BDPT_TEXEL_FLOAT || desc_.texel == BDPT_TEXEL_HALF; }
+  bool is_srgb() const { return desc_.encoding == BDPT_ENCODING_SRGB; }
+  TexelFormat format() const;
+  // Only 8-bit texels are decoded when they are looked up.
+  TexelFormat kept_format() const {
+    return is_srgb() && format() != TexelFormat::Uint8 ? TexelFormat::Float : format();
   }
+  uint32_t texel_size() const { return bytes_of(format()); }
+  uint64_t row_size() const { return uint64_t(desc_.width) * desc_.channels * texel_size(); }
+  uint64_t row_stride() const { return desc_.row_stride ? desc_.row_stride : row_size(); }
+  const std::byte* row(uint32_t y) const { return static_cast<const std::byte*>(desc_.pixels) + y * row_stride(); }
+  // A channel of a row, not decoded.
+  float value(const std::byte* row, uint64_t channel) const;
 
   void check_layout() const;
-  float check_floats() const;
-  template <class T, class Store>
-  void for_each(Store&& store) const;
-  Texture bytes() const;
-  Texture floats() const;
+  float check_values() const;
+  TextureImage image() const;
 
   Subject subject_;
   const bdpt_texture_desc& desc_;
 };
 
+TexelFormat TextureReader::format() const {
+  switch (desc_.texel) {
+    case BDPT_TEXEL_UINT8:
+      return TexelFormat::Uint8;
+    case BDPT_TEXEL_UINT16:
+      return TexelFormat::Uint16;
+    case BDPT_TEXEL_HALF:
+      return TexelFormat::Half;
+    default:
+      return TexelFormat::Float;
+  }
+}
+
 void TextureReader::check_layout() const {
-  const uint64_t packed = uint64_t(desc_.width) * desc_.channels * texel_size();
-  if (row_stride() < packed || row_stride() > kMaxRowStride || row_stride() % texel_size() != 0)
-    subject_.refuse("row_stride", "is ", row_stride(), " bytes: give a multiple of ", texel_size(), " from ", packed,
-                    " to ", kMaxRowStride, ", or 0 for packed rows");
+  if (row_stride() < row_size() || row_stride() > kMaxRowStride || row_stride() % texel_size() != 0)
+    subject_.refuse("row_stride", "is ", row_stride(), " bytes: give a multiple of ", texel_size(), " from ",
+                    row_size(), " to ", kMaxRowStride, ", or 0 for packed rows");
   if (reinterpret_cast<uintptr_t>(desc_.pixels) % texel_size() != 0)
     subject_.refuse("pixels", "is ", desc_.pixels, ": align it to ", texel_size(), " bytes");
 }
 
-// Calls store(value, x, y) for each channel that is kept.
-template <class T, class Store>
-void TextureReader::for_each(Store&& store) const {
-  for (uint32_t y = 0; y < desc_.height; ++y) {
-    const auto* row = reinterpret_cast<const T*>(static_cast<const std::byte*>(desc_.pixels) + y * row_stride());
-    for (uint32_t x = 0; x < desc_.width; ++x)
-      for (uint32_t c = 0; c < kept_channels(); ++c) store(row[uint64_t(x) * desc_.channels + c], x, y);
+float TextureReader::value(const std::byte* row, uint64_t channel) const {
+  const std::byte* at = row + channel * texel_size();
+  if (desc_.texel == BDPT_TEXEL_FLOAT) {
+    float v;
+    std::memcpy(&v, at, sizeof v);
+    return v;
   }
+  uint16_t bits;
+  std::memcpy(&bits, at, sizeof bits);
+  return desc_.texel == BDPT_TEXEL_HALF ? imath_half_to_float(bits) : float(bits) / 65535;
 }
 
-float TextureReader::check_floats() const {
+float TextureReader::check_values() const {
   float maximum = 0;
-  for_each<float>([&](float v, uint32_t x, uint32_t y) {
-    if (!(v >= 0) || !std::isfinite(v))
-      subject_.refuse("pixels", "has the value ", v, " at (", x, ", ", y, "): give finite values of at least 0");
-    maximum = std::max(maximum, v);
-  });
-  return desc_.encoding == BDPT_ENCODING_SRGB ? srgb_to_linear(maximum) : maximum;
+  for (uint32_t y = 0; y < desc_.height; ++y)
+    for (uint64_t i = 0; i < uint64_t(desc_.width) * desc_.channels; ++i) {
+      const float v = value(row(y), i);
+      if (!(v >= 0) || !std::isfinite(v))
+        subject_.refuse("pixels", "has the value ", v, " at (", i / desc_.channels, ", ", y,
+                        "): give finite values of at least 0");
+      maximum = std::max(maximum, v);
+    }
+  return is_srgb() ? std::max(maximum, srgb_to_linear(maximum)) : maximum;
 }
 
-Texture TextureReader::bytes() const {
-  std::vector<uint8_t> texels;
-  texels.reserve(uint64_t(desc_.width) * desc_.height * kept_channels());
-  for_each<uint8_t>([&](uint8_t v, uint32_t, uint32_t) { texels.push_back(v); });
-  return Texture(subject_.label(), desc_.width, desc_.height, kept_channels(), std::move(texels),
-                 desc_.encoding == BDPT_ENCODING_SRGB);
-}
-
-Texture TextureReader::floats() const {
-  std::vector<float> texels;
-  texels.reserve(uint64_t(desc_.width) * desc_.height * kept_channels());
-  const bool srgb = desc_.encoding == BDPT_ENCODING_SRGB;
-  for_each<float>([&](float v, uint32_t, uint32_t) { texels.push_back(srgb ? srgb_to_linear(v) : v); });
-  return Texture(subject_.label(), desc_.width, desc_.height, kept_channels(), std::move(texels));
+TextureImage TextureReader::image() const {
+  TextureImage image;
+  image.label = subject_.label();
+  image.width = desc_.width;
+  image.height = desc_.height;
+  image.channels = desc_.channels;
+  image.format = kept_format();
+  image.srgb = is_srgb();
+  const uint64_t row_texels = uint64_t(desc_.width) * desc_.channels;
+  image.texels.reserve(row_texels * desc_.height * bytes_of(image.format));
+  const bool has_alpha = desc_.channels % 2 == 0;
+  for (uint32_t y = 0; y < desc_.height; ++y) {
+    if (image.format == format()) {
+      image.texels.insert(image.texels.end(), row(y), row(y) + row_size());
+      continue;
+    }
+    for (uint64_t i = 0; i < row_texels; ++i) {
+      const bool is_alpha = has_alpha && i % desc_.channels == desc_.channels - 1;
+      const float raw = value(row(y), i), v = is_alpha ? raw : srgb_to_linear(raw);
+      const auto* bytes = reinterpret_cast<const std::byte*>(&v);
+      image.texels.insert(image.texels.end(), bytes, bytes + sizeof v);
+    }
+  }
+  return image;
 }
 
 }  // namespace

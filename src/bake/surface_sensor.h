@@ -35,7 +35,7 @@ class SurfaceSensor : public Sensor {
                                        [&](const auto& i) { return scene_->mesh(i.instance)->normals.empty(); })),
         responds_(outputs_.respond(true, !geometric_normals_)),
         hittable_(std::all_of(instances.begin(), instances.end(),
-                              [&](const auto& i) { return scene_->is_visible(i.instance); })),
+                              [&](const auto& i) { return scene_->is_solid(i.instance); })),
         hemisphere_(all_fade(outputs) && geometric_normals_ ? 1 : 0.5f) {}
 
   // An eye subpath from a point of a triangle, but for its film position and P_A.

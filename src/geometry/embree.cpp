@@ -6,7 +6,11 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "sampling/hash.h"
+
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace bdpt {
 
@@ -33,7 +37,13 @@ void occluded16(const int* valid, RTCScene scene, RTCRay16* rays) {
 }
 #endif
 
-void load(RTCRay16& packet, const Ray* rays, size_t lanes) {
+// By which surfaces that are there in part decide: of the ray as it was asked for, whatever Embree makes of it.
+uint32_t ray_number(const Ray& ray) {
+  const float numbers[] = {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z};
+  return uint32_t(hash_bytes(numbers, sizeof numbers) >> 32);
+}
+
+void load(RTCRay16& packet, const Ray* rays, size_t lanes, bool numbered) {
   for (size_t i = 0; i < lanes; ++i) {
     packet.org_x[i] = rays[i].origin.x;
     packet.org_y[i] = rays[i].origin.y;
@@ -42,13 +52,14 @@ void load(RTCRay16& packet, const Ray* rays, size_t lanes) {
     packet.dir_y[i] = rays[i].direction.y;
     packet.dir_z[i] = rays[i].direction.z;
     packet.tfar[i] = rays[i].tmax;
+    packet.id[i] = numbered ? ray_number(rays[i]) : 0;
   }
   for (size_t i = 0; i < 16; ++i) {
     packet.tnear[i] = 0;
     packet.time[i] = 0;
     packet.mask[i] = ~0u;
-    packet.id[i] = 0;
     packet.flags[i] = 0;
+    if (i >= lanes) packet.id[i] = 0;
   }
 }
 
@@ -127,7 +138,8 @@ uint64_t RayDevice::memory() const { return uint64_t(std::max<int64_t>(0, implem
 struct RayScene::Implementation {
   std::shared_ptr<const RayDevice> device;
   RTCScene scene = nullptr;
-  std::vector<RTCScene> instanced;  // one for each mesh that several instances share
+  std::vector<RTCScene> instanced;          // one for each mesh that several instances share
+  std::vector<const OpacityTest*> opacity;  // by instance; empty where all are there everywhere
   const std::function<bool(double)>* progress = nullptr;
   bool cancelled = false;
 
@@ -178,6 +190,32 @@ struct RayScene::Implementation {
     if (device->implementation().over_limit || error != RTC_ERROR_NONE) fail_refused(error);
   }
 
+  // Embree asks of each hit whether it counts.
+  static void filter(const RTCFilterFunctionNArguments* arguments) {
+    const auto& i = *static_cast<const Implementation*>(arguments->geometryUserPtr);
+    const unsigned n = arguments->N;
+    for (unsigned k = 0; k < n; ++k) {
+      if (arguments->valid[k] == 0) continue;
+      const unsigned outer = RTCHitN_instID(arguments->hit, n, k, 0);
+      const unsigned instance = outer != RTC_INVALID_GEOMETRY_ID ? outer : RTCHitN_geomID(arguments->hit, n, k);
+      const OpacityTest* test = i.opacity[instance];
+      if (!test) continue;
+      const unsigned primitive = RTCHitN_primID(arguments->hit, n, k);
+      const float chance = float(hash_values(RTCRayN_id(arguments->ray, n, k), instance, primitive) >> 40) * 0x1p-24f;
+      const Vec3 ng(RTCHitN_Ng_x(arguments->hit, n, k), RTCHitN_Ng_y(arguments->hit, n, k),
+                    RTCHitN_Ng_z(arguments->hit, n, k));
+      if (!test->is_there(primitive, RTCHitN_u(arguments->hit, n, k), RTCHitN_v(arguments->hit, n, k), ng, chance))
+        arguments->valid[k] = 0;
+    }
+  }
+
+  // A mesh that instances share is asked for as soon as one of them is not there everywhere.
+  void ask(RTCGeometry g) {
+    rtcSetGeometryUserData(g, this);
+    rtcSetGeometryIntersectFilterFunction(g, filter);
+    rtcSetGeometryOccludedFilterFunction(g, filter);
+  }
+
   RTCGeometry triangles(const View<Vec3>& positions, const View<Triangle>& indices) {
     RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0, positions.stride(),
@@ -208,7 +246,8 @@ struct RayScene::Implementation {
     return g;
   }
 
-  void attach(RTCGeometry g, uint32_t id) {
+  void attach(RTCGeometry g, uint32_t id, const OpacityTest* opacity = nullptr) {
+    if (opacity) ask(g);
     rtcCommitGeometry(g);
     rtcAttachGeometryByID(scene, g, id);
     rtcReleaseGeometry(g);
@@ -222,28 +261,33 @@ RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<Ra
   i.device = std::move(device);
   i.progress = &progress;
   i.scene = i.new_scene();
-  std::vector<std::pair<const Mesh*, RTCScene>> shared;
+  if (std::any_of(geometries.begin(), geometries.end(), [](const RayGeometry& g) { return g.opacity; }))
+    for (const RayGeometry& g : geometries) i.opacity.push_back(g.opacity);
+  std::unordered_set<const Mesh*> asked;
+  for (const RayGeometry& g : geometries)
+    if (g.opacity) asked.insert(g.mesh);
+  std::unordered_map<const Mesh*, RTCScene> shared;
   for (uint32_t id = 0; id < geometries.size(); ++id) {
     const RayGeometry& g = geometries[id];
     if (g.sphere) {
-      i.attach(i.sphere(*g.sphere, g.transform), id);
+      i.attach(i.sphere(*g.sphere, g.transform), id, g.opacity);
     } else if (!g.mesh) {
       continue;
     } else if (!g.instanced) {
-      i.attach(i.triangles(g.world_positions, g.mesh->triangles), id);
+      i.attach(i.triangles(g.world_positions, g.mesh->triangles), id, g.opacity);
     } else {
-      auto found = std::find_if(shared.begin(), shared.end(), [&](const auto& s) { return s.first == g.mesh; });
-      if (found == shared.end()) {
-        RTCScene s = i.new_scene();
+      RTCScene& s = shared[g.mesh];
+      if (!s) {
+        s = i.new_scene();
         i.instanced.push_back(s);
         RTCGeometry t = i.triangles(g.world_positions, g.mesh->triangles);
+        if (asked.count(g.mesh)) i.ask(t);
         rtcCommitGeometry(t);
         rtcAttachGeometry(s, t);
         rtcReleaseGeometry(t);
         i.commit(s);
-        found = shared.insert(shared.end(), {g.mesh, s});
       }
-      i.attach(i.instance(found->second, g.transform), id);
+      i.attach(i.instance(s, g.transform), id);
     }
   }
   rtcSetSceneProgressMonitorFunction(i.scene, Implementation::on_progress, &i);
@@ -260,7 +304,7 @@ void RayScene::intersect(const Ray* rays, Hit* hits, size_t count) const {
   for (size_t first = 0; first < count; first += 16) {
     const size_t lanes = std::min<size_t>(16, count - first);
     set_valid(valid, lanes);
-    load(packet.ray, rays + first, lanes);
+    load(packet.ray, rays + first, lanes, !implementation_->opacity.empty());
     for (size_t k = 0; k < 16; ++k) packet.hit.geomID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
     intersect16(valid, implementation_->scene, &packet);
     for (size_t k = 0; k < lanes; ++k) {
@@ -281,7 +325,7 @@ void RayScene::occluded(const Ray* rays, uint8_t* blocked, size_t count) const {
   for (size_t first = 0; first < count; first += 16) {
     const size_t lanes = std::min<size_t>(16, count - first);
     set_valid(valid, lanes);
-    load(packet, rays + first, lanes);
+    load(packet, rays + first, lanes, !implementation_->opacity.empty());
     occluded16(valid, implementation_->scene, &packet);
     for (size_t k = 0; k < lanes; ++k) blocked[first + k] = packet.tfar[k] < 0;
   }

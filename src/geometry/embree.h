@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "geometry/mesh.h"
+#include "geometry/opacity.h"
 #include "math/transform.h"
 
 #include <atomic>
@@ -55,7 +56,8 @@ struct RayGeometry {
   Transform transform;  // object to world
   // World positions, padded by 16 bytes, when the mesh is placed only once and is therefore not instanced.
   View<Vec3> world_positions;
-  bool instanced = false;  // several instances of one mesh share one structure
+  bool instanced = false;                // several instances of one mesh share one structure
+  const OpacityTest* opacity = nullptr;  // nullptr: there everywhere
 };
 
 // The acceleration structure of a scene. Queries are thread-safe and pure: how rays are grouped changes no answer.

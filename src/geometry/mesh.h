@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include "geometry/rgba.h"
 #include "math/vec.h"
 
 #include <cstddef>
@@ -43,6 +44,12 @@ struct Triangle {
   uint32_t a, b, c;
 };
 
+// Along u, and the sign of v: the third axis is sign * normal x direction.
+struct Tangent {
+  Vec3 direction;
+  float sign;
+};
+
 // Whatever keeps a view's memory alive: a vector of our own, or the host's release callback.
 using Keeper = std::shared_ptr<const void>;
 
@@ -52,11 +59,23 @@ struct Mesh {
   View<Triangle> triangles;       // without the degenerate ones; always 32-bit
   View<Vec3> normals;             // empty = flat
   View<Vec2> uv[2];               // empty = absent
+  View<Rgba> colors;              // empty = absent
+  View<Tangent> tangents;         // empty = along u of the texture coordinates, triangle by triangle
   bool positions_padded = false;  // 16 readable bytes behind the last position: Embree may read the array itself
   uint64_t degenerate = 0;        // triangles that were dropped
   uint64_t memory = 0;            // bytes that are the library's own
   uint64_t content_hash = 0;
   std::vector<Keeper> keepers;
+
+  // At barycentric coordinates of the second and third corner. Without uv set 0 a triangle's own corners are (0,0),
+  // (1,0), (1,1).
+  Vec2 uv_at(int set, uint32_t triangle, float u, float v) const {
+    Vec2 corners[3];
+    uv_corners(set, triangle, corners);
+    return corners[0] * (1 - u - v) + corners[1] * u + corners[2] * v;
+  }
+  void uv_corners(int set, uint32_t triangle, Vec2 corners[3]) const;
+  Rgba color(uint32_t triangle, float u, float v) const;
 };
 
 struct Sphere {
@@ -71,7 +90,14 @@ struct Shape {
   std::shared_ptr<const Sphere> sphere;
 };
 
-// Drops triangles without area from indices; true if any was.
+// Texture coordinates of a sphere where its normal, in object space, is this (unit): u is the angle from x towards y,
+// v grows towards z.
+inline Vec2 uv_of_sphere(const Vec3& normal) {
+  const float turn = std::atan2(normal.y, normal.x) / kTwoPi;
+  return {turn < 0 ? turn + 1 : turn, 1 - std::acos(std::clamp(normal.z, -1.0f, 1.0f)) * kInvPi};
+}
+
+// Whether a triangle has no area.
 bool is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace bdpt

@@ -4,6 +4,7 @@
 #include "material/microfacet.h"
 
 namespace bdpt {
+namespace {
 
 BsdfValue evaluate_conductor(const Material& material, const Rgb&, const Vec3& previous, const Vec3& next,
                              TransportMode) {
@@ -42,5 +43,10 @@ BsdfSample sample_conductor(const Material& material, const Rgb&, const Vec3& pr
   s.density_reverse = quarter_d * smith_g1_over_cos(n.z, stretched_n);
   return s;
 }
+
+}  // namespace
+
+const MaterialKind kConductorKind{evaluate_conductor, sample_conductor, [](const Material& m) { return m.is_smooth(); },
+                                  never};
 
 }  // namespace bdpt

@@ -94,8 +94,6 @@ BsdfSample pass(const Vec3& previous) {
   return s;
 }
 
-}  // namespace
-
 BsdfValue evaluate_dielectric(const Material& material, const Rgb&, const Vec3& previous, const Vec3& next,
                               TransportMode mode) {
   if (material.is_specular()) return {};
@@ -120,5 +118,10 @@ BsdfSample sample_dielectric(const Material& material, const Rgb&, const Vec3& p
   if (material.is_smooth()) return sample_smooth(previous, index_p, index_n, mode, u[2]);
   return sample_rough(Ggx(material), previous, index_n / index_p, mode, u);
 }
+
+}  // namespace
+
+const MaterialKind kDielectricKind{evaluate_dielectric, sample_dielectric,
+                                   [](const Material& m) { return m.is_smooth() || m.is_index_matched(); }, always};
 
 }  // namespace bdpt

@@ -3,6 +3,7 @@
 #include "sampling/warp.h"
 
 namespace bdpt {
+namespace {
 
 BsdfValue evaluate_diffuse(const Material& material, const Rgb& reflectance, const Vec3& previous, const Vec3& next,
                            TransportMode) {
@@ -22,5 +23,9 @@ BsdfSample sample_diffuse(const Material& material, const Rgb& reflectance, cons
   s.density_reverse = std::fabs(previous.z) * kInvPi;
   return s;
 }
+
+}  // namespace
+
+const MaterialKind kDiffuseKind{evaluate_diffuse, sample_diffuse, never, never};
 
 }  // namespace bdpt

@@ -7,23 +7,16 @@
 namespace bdpt {
 namespace {
 
-struct Kind {
-  EvaluateFunction* evaluate;
-  SampleFunction* sample;
-};
-
 // In the order of MaterialType.
-constexpr Kind kKinds[] = {
-    {evaluate_diffuse, sample_diffuse},
-    {evaluate_mirror, sample_mirror},
-    {evaluate_conductor, sample_conductor},
-    {evaluate_dielectric, sample_dielectric},
-};
+constexpr const MaterialKind* kKinds[] = {&kDiffuseKind, &kMirrorKind, &kConductorKind, &kDielectricKind};
 static_assert(std::size(kKinds) == static_cast<size_t>(MaterialType::Dielectric) + 1);
 
-const Kind& kind_of(const Material& material) { return kKinds[static_cast<int>(material.type)]; }
+const MaterialKind& kind_of(const Material& material) { return *kKinds[static_cast<int>(material.type)]; }
 
 }  // namespace
+
+bool Material::is_specular() const { return kind_of(*this).is_specular(*this); }
+bool Material::transmits() const { return kind_of(*this).transmits(*this); }
 
 BsdfValue evaluate(const Material& material, const Rgb& reflectance, const Vec3& previous, const Vec3& next,
                    TransportMode mode) {

@@ -17,10 +17,10 @@ enum class TransportMode {
 
 enum class MaterialType { Diffuse, Mirror, Conductor, Dielectric };
 
+// The numbers of a material at a point of a surface.
 struct Material {
   MaterialType type = MaterialType::Diffuse;
-  Rgb reflectance;                 // diffuse, mirror; where a texture is set, its value stands in for it
-  int reflectance_texture = -1;    // index into the scene's textures
+  Rgb reflectance;                 // diffuse, mirror; at a vertex it is the vertex's own that counts
   Rgb eta, k;                      // conductor
   float ior = 1.5f;                // dielectric: inside over outside
   float alpha_u = 0, alpha_v = 0;  // GGX; both zero = smooth
@@ -34,11 +34,10 @@ struct Material {
   // A dielectric whose two sides are optically the same: all light passes straight through, however rough.
   bool is_index_matched() const { return type == MaterialType::Dielectric && std::fabs(ior - 1) < 1e-4f; }
   // Whether light from one side may go on to the other.
-  bool transmits() const { return type == MaterialType::Dielectric; }
-  // True where the scattering is a Dirac: no connection can be made here (Veach 10.3.5).
-  bool is_specular() const {
-    return type == MaterialType::Mirror || (type != MaterialType::Diffuse && is_smooth()) || is_index_matched();
-  }
+  bool transmits() const;
+  // True where all scattering is a Dirac: no connection can be made here (Veach 10.3.5). Where a part of it is, samples
+  // say which part they are of.
+  bool is_specular() const;
 };
 
 // f_s for both directions given, with the densities of sampling one from the other.
@@ -53,14 +52,15 @@ struct BsdfSample {
   Rgb weight;         // f |cos next| / density, cosine with the shading normal; black = absorbed
   float density = 0;  // of next; for a specular material the Dirac's coefficient, see below
   float density_reverse = 0;
-  bool specular = false;
+  bool specular = false;  // of a Dirac
 };
 // Specular coefficients (Veach 10.3.5): with T the probability of the event chosen (reflection, refraction),
 // density = T η_next² |cos next| and density_reverse = T η_previous² |cos previous|, η the index of the medium that
 // direction is in. One Dirac in the microfacet normal is shared by both, and a bundle keeps η² |cos| dω, so their ratio
 // is that of the true densities.
 
-// The value for two directions; zero for a specular material, and for sides where the material scatters nothing.
+// The value for two directions, of all but Diracs: zero for a specular material, and for sides where the material
+// scatters nothing. The densities are those of sample(), with the probability of the part that is no Dirac.
 BsdfValue evaluate(const Material& material, const Rgb& reflectance, const Vec3& previous, const Vec3& next,
                    TransportMode mode);
 

@@ -2,6 +2,7 @@
 #include "material/kinds.h"
 
 namespace bdpt {
+namespace {
 
 BsdfValue evaluate_mirror(const Material&, const Rgb&, const Vec3&, const Vec3&, TransportMode) { return {}; }
 
@@ -15,5 +16,9 @@ BsdfSample sample_mirror(const Material& material, const Rgb& reflectance, const
   s.specular = true;
   return s;
 }
+
+}  // namespace
+
+const MaterialKind kMirrorKind{evaluate_mirror, sample_mirror, always, never};
 
 }  // namespace bdpt

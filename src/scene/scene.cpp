@@ -29,13 +29,6 @@ Transform invert(const Transform& t) {
   return inverse;
 }
 
-// The direction in which u of uv set 0 grows; zero where the uvs are degenerate.
-Vec3 u_direction(const Vec3& e1, const Vec3& e2, const Vec2& d1, const Vec2& d2) {
-  const float det = d1.x * d2.y - d1.y * d2.x;
-  if (det == 0) return Vec3(0);
-  return (e1 * d2.y - e2 * d1.y) * (1 / det);
-}
-
 void grow(Vec3& low, Vec3& high, const Vec3& p) {
   low = Vec3(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
   high = Vec3(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
@@ -53,13 +46,30 @@ uint64_t hash_scene(const SceneDesc& desc) {
     }
   }
   for (const auto& t : desc.textures) h = hash_combine(h, t ? t->content_hash() : 0);
-  for (const Material& m : desc.materials) {
+  for (const MaterialDesc& m : desc.materials) {
     const float numbers[] = {m.reflectance.r, m.reflectance.g, m.reflectance.b, m.eta.r,      m.eta.g,
                              m.eta.b,         m.k.r,           m.k.g,           m.k.b,        m.ior,
                              m.alpha_u,       m.alpha_v,       m.emission.r,    m.emission.g, m.emission.b};
     add(numbers);
-    h = hash_combine(h, hash_values(int(m.type), m.reflectance_texture, m.one_sided, m.emission_two_sided));
+    h = hash_combine(h, hash_values(int(m.type), m.one_sided, m.emission_two_sided));
     if (m.emission_group > 0) h = hash_combine(h, m.emission_group);
+    const auto add_lookup = [&](int texture, int channel, const UvMap& uv, const TextureSampler& s) {
+      add(uv.m);
+      add(s.level);
+      h = hash_combine(h, hash_values(texture, channel, uv.set, int(s.wrap_u), int(s.wrap_v), int(s.filter)));
+    };
+    for (const TextureUse& use : m.textures) {
+      add_lookup(use.texture, use.channel, use.uv, use.sampler);
+      add(use.scale);
+      h = hash_combine(h, hash_values(int(use.slot), use.squared));
+    }
+    if (m.opacity.mode != Opacity::Mode::Opaque) {
+      const Opacity& o = m.opacity;
+      add(o.value);
+      add(o.cutoff);
+      h = hash_combine(h, uint64_t(o.mode));
+      add_lookup(o.texture, o.channel, o.uv, o.sampler);
+    }
   }
   for (const LightDesc& l : desc.lights) {
     const float numbers[] = {l.position.x,  l.position.y,  l.position.z,  l.direction.x, l.direction.y,
@@ -98,7 +108,8 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Instance& instance = instances_[i];
     if (desc_.instances[i].invisible) continue;
-    geometries[i] = {instance.mesh, instance.sphere, instance.transform, instance.world_positions, false};
+    geometries[i] = {instance.mesh, instance.sphere,       instance.transform, instance.world_positions,
+                     false,         opacity_test(instance)};
     if (instance.mesh && instance.world_positions.empty()) {
       geometries[i].instanced = true;
       geometries[i].world_positions = object_positions(*instance.mesh);
@@ -112,7 +123,8 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (const auto& t : desc_.textures)
     if (t) info_.memory += t->memory();
   info_.instances = instances_.size();
-  for (const Material& m : desc_.materials) info_.has_specular = info_.has_specular || m.is_specular();
+  for (const MaterialDesc& m : desc_.materials)
+    info_.has_specular = info_.has_specular || m.is_specular() || m.varies();
   info_.hash = hash_scene(desc_);
 }
 
@@ -128,6 +140,16 @@ View<Vec3> Scene::object_positions(const Mesh& mesh) {
   const View<Vec3> view(copy.data(), mesh.positions.size(), sizeof(Vec3));
   padded_.emplace_back(&mesh, view);
   return view;
+}
+
+// What rays ask of an instance that is not there everywhere; nullptr for one that is.
+const OpacityTest* Scene::opacity_test(const Instance& instance) {
+  const Opacity& opacity = instance.material->opacity;
+  if (opacity.mode == Opacity::Mode::Opaque) return nullptr;
+  const Texture* texture = opacity.texture < 0 ? nullptr : desc_.textures[size_t(opacity.texture)].get();
+  opacity_tests_.push_back(
+      std::make_unique<const OpacityTest>(OpacityTest{opacity, texture, instance.mesh, instance.transform}));
+  return opacity_tests_.back().get();
 }
 
 std::vector<int> Scene::uses_of_shapes() const {
@@ -158,6 +180,8 @@ void Scene::place_instances() {
     Instance instance;
     const Shape& shape = desc_.shapes[size_t(d.shape)];
     instance.material = &desc_.materials[size_t(d.material)];
+    instance.is_plain = instance.material->textures.empty() && !instance.material->is_anisotropic() &&
+                        !(shape.mesh && !shape.mesh->colors.empty());
     instance.transform = d.transform;
     instance.inverse = invert(d.transform);
     instance.identity = d.transform.is_identity();
@@ -288,41 +312,17 @@ double Scene::triangle_area(uint32_t instance, uint32_t primitive) const {
 
 bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
   const Instance& instance = instances_[hit.instance];
-  const Material& material = *instance.material;
-  s.material = &material;
+  s.material = instance.material;
   s.light = instance.light;
   s.primitive = hit.primitive;
-  s.reflectance = material.reflectance;
-  if (instance.sphere) {
-    const Vec3 n = ray.origin + ray.direction * hit.t - instance.center;
-    const float n2 = length_squared(n);
-    if (!(n2 > 0)) return false;
-    s.ng = s.ns = n * (1 / std::sqrt(n2));
-    s.p = instance.center + s.ng * instance.radius;
-    s.margin = margin_of_sphere(instance.center, instance.radius);
-    s.tangent = Vec3(-s.ng.y, s.ng.x, 0);
-    return true;
-  }
-  if (!triangle_surface(instance, hit.primitive, hit.u, hit.v, s)) return false;
-  if (material.reflectance_texture < 0 && !material.is_anisotropic()) return true;
-
-  const Mesh& mesh = *instance.mesh;
-  const Triangle t = mesh.triangles[hit.primitive];
-  // Without uv set 0 a triangle's own corners are (0,0), (1,0), (1,1).
-  const bool has_uv = !mesh.uv[0].empty();
-  const Vec2 ta = has_uv ? mesh.uv[0][t.a] : Vec2(0, 0), tb = has_uv ? mesh.uv[0][t.b] : Vec2(1, 0),
-             tc = has_uv ? mesh.uv[0][t.c] : Vec2(1, 1);
-  if (material.reflectance_texture >= 0)
-    s.reflectance = desc_.textures[size_t(material.reflectance_texture)]->lookup(ta * (1 - hit.u - hit.v) + tb * hit.u +
-                                                                                 tc * hit.v);
-  if (material.is_anisotropic()) {
-    const auto corner = [&](uint32_t i) {
-      return instance.world_positions.empty() ? instance.transform.point(mesh.positions[i])
-                                              : instance.world_positions[i];
-    };
-    const Vec3 a = corner(t.a);
-    s.tangent = u_direction(corner(t.b) - a, corner(t.c) - a, tb - ta, tc - ta);
-  }
+  s.reflectance = instance.material->reflectance;
+  if (!instance.sphere) return triangle_surface(instance, hit.primitive, hit.u, hit.v, s);
+  const Vec3 n = ray.origin + ray.direction * hit.t - instance.center;
+  const float n2 = length_squared(n);
+  if (!(n2 > 0)) return false;
+  s.ng = s.ns = n * (1 / std::sqrt(n2));
+  s.p = instance.center + s.ng * instance.radius;
+  s.margin = margin_of_sphere(instance.center, instance.radius);
   return true;
 }
 

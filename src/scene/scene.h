@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "geometry/embree.h"
 #include "light/lights.h"
+#include "material/material_store.h"
 #include "scene/scene_desc.h"
 
 #include <functional>
@@ -21,16 +22,16 @@ struct Surface {
   Vec3 ns;       // shading normal, unit, in the hemisphere of ng
   Vec3 tangent;  // along u of uv set 0; set for anisotropic materials only
   Rgb reflectance;
-  const Material* material = nullptr;
-  int light = -1;          // index of the area light this instance is, or -1
-  uint32_t primitive = 0;  // triangle of the mesh
+  const Material* material = nullptr;  // the scene's, or by shade() a copy of its own
+  int light = -1;                      // index of the area light this instance is, or -1
+  uint32_t primitive = 0;              // triangle of the mesh
 };
 
 struct SceneInfo {
   uint64_t instances = 0, triangles = 0, spheres = 0, degenerate = 0;
   uint64_t memory = 0, memory_embree = 0, hash = 0;
   Vec3 bounds_min, bounds_max;
-  bool has_specular = false;  // some material
+  bool has_specular = false;  // some material, somewhere
 };
 
 class Scene {
@@ -50,8 +51,10 @@ class Scene {
   size_t instance_count() const { return instances_.size(); }
   uint64_t instance_id(uint32_t instance) const { return desc_.instances[instance].id; }
   const std::string& instance_label(uint32_t instance) const { return desc_.instances[instance].label; }
-  // Whether rays, and so light, can meet it.
-  bool is_visible(uint32_t instance) const { return !desc_.instances[instance].invisible; }
+  // Whether rays, and so light, meet it wherever it is.
+  bool is_solid(uint32_t instance) const {
+    return !desc_.instances[instance].invisible && instances_[instance].material->opacity.mode == Opacity::Mode::Opaque;
+  }
   const Mesh* mesh(uint32_t instance) const { return instances_[instance].mesh; }  // nullptr for a sphere
   double triangle_area(uint32_t instance, uint32_t primitive) const;               // in the world
   // The geometry at a point of a mesh; false where it is too degenerate to have a normal.
@@ -63,14 +66,17 @@ class Scene {
   const std::vector<LightDesc>& light_descs() const { return desc_.lights; }
   const Material& material(uint32_t instance) const { return *instances_[instance].material; }
 
-  // The surface at a hit of a ray; false where its geometry is too degenerate to have a normal.
+  // The geometry at a hit of a ray; false where it is too degenerate to have a normal.
   bool surface(const Ray& ray, const Hit& hit, Surface& surface) const;
+  // What textures and colours make of it: reflectance, shading normal, tangent, and the material's numbers.
+  void shade(const Hit& hit, Surface& surface, MaterialStore& store) const;
 
  private:
   struct Instance {
     const Mesh* mesh = nullptr;
     const Sphere* sphere = nullptr;
-    const Material* material = nullptr;
+    const MaterialDesc* material = nullptr;
+    bool is_plain = true;  // there is nothing to shade
     Transform transform, inverse;
     View<Vec3> world_positions;  // empty where the mesh is instanced
     float handedness = 1;        // -1 where the transform reflects: keeps the front the image of the front
@@ -81,16 +87,26 @@ class Scene {
   };
 
   View<Vec3> object_positions(const Mesh& mesh);
+  const OpacityTest* opacity_test(const Instance& instance);
   std::vector<int> uses_of_shapes() const;
   uint64_t world_position_bytes() const;
   void place_instances();
   void collect_lights();
   bool triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& surface) const;
+  // Texture coordinates of a set at a hit, and how the point moves with them; false where they do not vary.
+  struct UvFrame {
+    Vec2 uv;
+    Vec3 dp_du, dp_dv;
+  };
+  Vec2 uv_at(const Instance& instance, int set, const Hit& hit, const Vec3& ng) const;
+  bool uv_frame(const Instance& instance, int set, const Hit& hit, const Vec3& ng, UvFrame& frame) const;
+  void bend_normal(const Instance& instance, const TextureUse& use, const Hit& hit, Surface& surface) const;
 
   SceneDesc desc_;
   std::vector<Instance> instances_;
   std::vector<std::vector<Vec3>> world_positions_;          // what the views below point into
   std::vector<std::pair<const Mesh*, View<Vec3>>> padded_;  // meshes whose positions had to be copied
+  std::vector<std::unique_ptr<const OpacityTest>> opacity_tests_;
   Lights lights_;
   std::unique_ptr<RayScene> rays_;
   SceneInfo info_;

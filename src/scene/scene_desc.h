@@ -4,8 +4,8 @@
 #include "geometry/mesh.h"
 #include "geometry/texture.h"
 #include "light/light_desc.h"
-#include "material/material.h"
 #include "math/transform.h"
+#include "scene/material_desc.h"
 
 #include <memory>
 #include <string>
@@ -25,7 +25,7 @@ struct InstanceDesc {
 struct SceneDesc {
   std::vector<Shape> shapes;
   std::vector<std::shared_ptr<const Texture>> textures;
-  std::vector<Material> materials;
+  std::vector<MaterialDesc> materials;
   std::vector<LightDesc> lights;  // those that are no instances
   std::vector<InstanceDesc> instances;
 };

@@ -9,6 +9,7 @@
 // are kept for the next one.
 #pragma once
 
+#include "material/material_store.h"
 #include "transport/chain.h"
 #include "transport/mis.h"
 #include "transport/responses.h"
@@ -25,17 +26,22 @@ struct Subpaths {
   std::vector<Start> starts;
   std::vector<Stream> streams;
   std::vector<Vertex> vertices;
+  MaterialStore materials;     // of vertices where a material varies
   std::vector<uint32_t> last;  // vertex of each subpath; kNoVertex where it has one vertex only
   size_t count() const { return last.size(); }
   void reset(size_t n) {
     starts.resize(n);
     streams.resize(n);
-    vertices.clear();
+    clear_vertices();
     last.assign(n, kNoVertex);
+  }
+  void clear_vertices() {
+    vertices.clear();
+    materials.clear();
   }
   size_t memory() const {
     return starts.capacity() * sizeof(Start) + streams.capacity() * sizeof(Stream) +
-           vertices.capacity() * sizeof(Vertex) + last.capacity() * sizeof(uint32_t);
+           vertices.capacity() * sizeof(Vertex) + last.capacity() * sizeof(uint32_t) + materials.memory();
   }
 };
 using EyeSubpaths = Subpaths<EyeStart>;

@@ -284,7 +284,7 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
   if (y) {
     double eye = edge.eye_at_y, eye_before = edge.eye_before_y;
     for (uint32_t i = s - 1;; --i) {
-      path_[i] = {y->density, eye, y->specular};
+      path_[i] = {y->density, eye, i + 1 < s && y->specular};
       eye = eye_before;
       if (y->previous_index == kNoVertex) {
         path_[i - 1] = {y->previous_density, eye, false};
@@ -299,7 +299,7 @@ float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t 
   if (z) {
     double light = edge.light_at_z, light_before = edge.light_before_z;
     for (uint32_t i = s;; ++i) {
-      path_[i] = {light, z->density, i > 0 && z->specular};  // x_0 emits, whatever it does with other light
+      path_[i] = {light, z->density, i > s && z->specular};  // what is joined, or emits, does not do so by a Dirac
       light = light_before;
       if (z->count == 1) break;
       if (z->previous_index == kNoVertex) {

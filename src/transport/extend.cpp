@@ -45,7 +45,7 @@ void Block::extend() {
     }
     connect_ends();
     // A walker carries all that its weights need: a plan that joins no inner vertices has no use for them.
-    if (!keeps_vertices()) eye_.vertices.clear(), light_.vertices.clear();
+    if (!keeps_vertices()) eye_.clear_vertices(), light_.clear_vertices();
   }
   shadow();
 }
@@ -57,7 +57,7 @@ void Block::connect_ends() {
     const OuterStageTimer timer(stats_.connect, stats_);
     for (const Arrival& a : arrivals_) {
       const Vertex& v = a.eye ? eye_.vertices[a.vertex] : light_.vertices[a.vertex];
-      if (v.specular) continue;
+      if (!v.joinable) continue;
       if (a.eye) {
         if (takes(1, v.count, a.sample) && !is_black(v.throughput)) connect_to_light(v, a.sample);
       } else if (takes(v.count, 1, a.sample)) {
@@ -79,9 +79,9 @@ void Block::trace() {
   if (engine_.recorder) engine_.recorder->record(rays_.data(), rays_.size(), false);
 }
 
-// u_i of mis.h, for the technique that would join this vertex to the one before it.
+// u_i of mis.h, for the technique that would join this vertex to the one before it, unless this one scatters by a Dirac.
 float Block::technique(const Walker& w, const Vertex& v) const {
-  if (w.specular || v.specular) return 0;
+  if (w.specular || !v.joinable) return 0;
   const TechniqueClasses& c = (w.eye ? *strategy_ : engine_.strategy).classes;
   if (w.count > 1) return c.inner;
   return w.eye ? c.t1 : c.s1 * v.direct;
@@ -90,6 +90,7 @@ float Block::technique(const Walker& w, const Vertex& v) const {
 void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   Surface surface;
   if (!engine_.scene.surface(ray, hit, surface)) return;
+  engine_.scene.shade(hit, surface, (w.eye ? eye_.materials : light_.materials));
   std::vector<Vertex>& vertices = w.eye ? eye_.vertices : light_.vertices;
   const Vec3 edge = surface.p - w.origin;
   const float cosine = absdot(surface.ng, w.direction);
@@ -119,12 +120,13 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   v.previous_index = w.vertex;
   v.previous_density = w.density;
   v.count = w.count + 1;
-  v.specular = surface.material->is_specular();
+  v.joinable = !surface.material->is_specular();
+  v.specular = false;
   v.direct = w.direct;
   v.start_hittable = w.start_hittable;
   v.start_finite = w.start_finite;
   v.group = w.group;
-  if (!w.eye && w.count == 1 && !v.specular) {
+  if (!w.eye && w.count == 1 && v.joinable) {
     const LightStart& y0 = light_.starts[w.sample];
     v.direct = engine_.direct_lighting.density(y0.y0, v.receiver()) / y0.density_position;
   }
@@ -314,15 +316,17 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   n.throughput = w.throughput * factor;
   n.density = v.density;
   const float reverse = b.density_reverse / std::fabs(gp);
-  n.sums = engine_.heuristic.combine(v.technique, reverse * v.sums);
-  n.outer = !w.eye && engine_.map ? engine_.heuristic.combine(v.count == 2 ? v.technique : 0, reverse * v.outer) : 0;
+  v.specular = b.specular;
+  const float technique = b.specular ? 0 : v.technique;  // by a Dirac, no technique joins this vertex
+  n.sums = engine_.heuristic.combine(technique, reverse * v.sums);
+  n.outer = !w.eye && engine_.map ? engine_.heuristic.combine(v.count == 2 ? technique : 0, reverse * v.outer) : 0;
   n.direct = v.direct;
   n.vertex = index;
   n.count = v.count;
   n.most = w.most;
   n.sample = w.sample;
   n.eye = w.eye;
-  n.specular = v.specular;
+  n.specular = b.specular;
   n.infinite = false;
   n.start_hittable = w.start_hittable;
   n.start_finite = w.start_finite;

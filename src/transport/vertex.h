@@ -36,7 +36,7 @@ struct Vertex {
   float previous_reverse;  // P_A of the previous vertex, as the other side samples it coming from here
   Rgb throughput;          // alpha
   Rgb reflectance;
-  const Material* material;
+  const Material* material;  // the scene's, or in the subpaths' store
   uint32_t previous_index;  // in the block's vertices of this side; kNoVertex where the previous is none of them
   float previous_density;   // P_A of the previous vertex, as its own side samples it
   float outer;              // light side: v_i without the techniques that join inner vertices
@@ -45,12 +45,13 @@ struct Vertex {
   float previous_cosine_s;  // of previous with ns
   uint32_t count;           // vertices of the subpath up to and with this one: s or t
   float margin;             // see off_surface()
-  bool specular;            // no connection is made here
+  bool joinable;            // not all it scatters is a Dirac
+  bool specular;            // the subpath went on by a Dirac (10.3.5)
   bool start_hittable;      // light side: eye subpaths can hit y_0
   bool start_finite;        // light side: y_0 is a point
   uint8_t group;            // light side: of y_0's light
 
-  bool is_joinable() const { return !specular && !is_black(throughput); }
+  bool is_joinable() const { return joinable && !is_black(throughput); }
   bool is_sensor() const { return !material; }  // z_0 of a local sensor
   Receiver receiver() const { return {p, is_sensor() ? ng : material->transmits() ? Vec3(0) : ns}; }
 };

@@ -1,0 +1,141 @@
+#include "api/texture_use.h"
+
+#include "api/desc.h"
+#include "api/host_array.h"
+
+#include <algorithm>
+
+namespace bdpt {
+namespace {
+
+constexpr uint32_t kMaxUses = 64;
+constexpr float kMaxLevel = 16;
+
+// What a slot is, and which kinds of materials have the number.
+struct SlotKind {
+  const char* name;
+  Slot slot;
+  bool is_number;   // takes a channel
+  bool is_bounded;  // at most 1
+  bool has_scale;
+  uint32_t materials;  // bits 1 << BDPT_MATERIAL_X
+};
+
+constexpr uint32_t kAll = ~0u;
+constexpr uint32_t bit(bdpt_material_type type) { return 1u << type; }
+
+// In the order of bdpt_slot; opacity has no Slot of its own.
+constexpr SlotKind kSlots[] = {
+    {"REFLECTANCE", Slot::Reflectance, false, true, false, bit(BDPT_MATERIAL_DIFFUSE) | bit(BDPT_MATERIAL_MIRROR)},
+    {"ROUGHNESS", Slot::Roughness, true, true, false, bit(BDPT_MATERIAL_CONDUCTOR) | bit(BDPT_MATERIAL_DIELECTRIC)},
+    {"NORMAL", Slot::Normal, false, false, true, kAll},
+    {"BUMP", Slot::Bump, true, false, true, kAll},
+    {"OPACITY", Slot::Reflectance, true, true, false, kAll},
+};
+
+UvMap read_uv(const Subject& subject, const bdpt_texture_use& desc) {
+  UvMap uv;
+  uv.set = uint8_t(desc.uv_set);
+  if (std::all_of(desc.transform, desc.transform + 6, [](float v) { return v == 0; })) return uv;
+  subject.check_finite("transform", desc.transform, 6);
+  std::copy(desc.transform, desc.transform + 6, uv.m);
+  const double det = double(uv.m[0]) * double(uv.m[4]) - double(uv.m[1]) * double(uv.m[3]);
+  if (!(std::fabs(det) > 1e-30))
+    subject.refuse("transform", "is singular: give one that can be inverted, or six zeros for identity");
+  return uv;
+}
+
+TextureSampler read_sampler(const Subject& subject, const bdpt_texture_use& desc) {
+  subject.check_enum("wrap[0]", desc.wrap[0], BDPT_WRAP_CLAMP);
+  subject.check_enum("wrap[1]", desc.wrap[1], BDPT_WRAP_CLAMP);
+  subject.check_enum("lookup", desc.lookup, BDPT_LOOKUP_BICUBIC);
+  subject.check_range("level", desc.level, 0, kMaxLevel);
+  return {TextureWrap(desc.wrap[0]), TextureWrap(desc.wrap[1]), TextureFilter(desc.lookup), desc.level};
+}
+
+class UseReader {
+ public:
+  UseReader(bdpt_builder& builder, const Subject& material, const bdpt_material_desc& desc, MaterialEntry& entry)
+      : builder_(builder), material_(material), desc_(desc), entry_(entry) {}
+
+  void read(const bdpt_texture_use& use, const Subject& subject) {
+    subject.check_enum("slot", use.slot, BDPT_SLOT_OPACITY);
+    subject.check_reserved("reserved", use.reserved);
+    subject.check_range("uv_set", use.uv_set, 0, 1);
+    const SlotKind& kind = kSlots[use.slot];
+    subject.check_range("channel", use.channel, 0, kind.is_number ? 3 : 0);
+    subject.check_finite("scale", use.scale);
+    if (!kind.has_scale && use.scale != 0)
+      subject.refuse("scale", "is ", use.scale, ": of slot ", kind.name, " give 0");
+    if (!(kind.materials >> desc_.type & 1u))
+      subject.refuse("slot", "is ", kind.name, ", which ", material_.name(), " of this type has no use for");
+    if (taken_ >> use.slot & 1u) subject.refuse("slot", "is ", kind.name, " for a second time: give each slot once");
+    taken_ |= 1u << use.slot;
+    TextureUse result;
+    result.texture = add(use.texture.id, subject, kind);
+    result.slot = kind.slot;
+    result.channel = uint8_t(use.channel);
+    result.squared = use.slot == BDPT_SLOT_ROUGHNESS && desc_.perceptual_roughness;
+    result.scale = use.scale == 0 ? 1 : use.scale;
+    result.uv = read_uv(subject, use);
+    result.sampler = read_sampler(subject, use);
+    if (use.slot != BDPT_SLOT_OPACITY) {
+      entry_.material.textures.push_back(result);
+      return;
+    }
+    Opacity& opacity = entry_.material.opacity;
+    if (opacity.mode == Opacity::Mode::Opaque)
+      subject.refuse("slot", "is OPACITY although opacity_mode is opaque: choose MASK or BLEND");
+    opacity.texture = result.texture;
+    opacity.channel = result.channel;
+    opacity.uv = result.uv;
+    opacity.sampler = result.sampler;
+  }
+
+  // The short form.
+  void read_reflectance() {
+    if (taken_ & 1u)
+      material_.refuse("reflectance_texture", "is set beside a use of slot REFLECTANCE: give one of them");
+    TextureUse use;
+    use.texture = add(desc_.reflectance_texture.id, material_, kSlots[BDPT_SLOT_REFLECTANCE]);
+    entry_.material.reflectance = Rgb(1);
+    entry_.material.textures.push_back(use);
+  }
+
+ private:
+  int add(uint64_t id, const Subject& subject, const SlotKind& kind) {
+    const TextureEntry& texture = builder_.textures.at(id, (subject.name() + ".texture").c_str());
+    if (kind.is_bounded && texture.maximum > 1)
+      subject.refuse("texture", "has texels up to ", texture.maximum, " for slot ", kind.name,
+                     ": a surface reflects no more than it receives; scale them to at most 1");
+    entry_.textures.push_back(id);
+    return int(entry_.textures.size()) - 1;
+  }
+
+  bdpt_builder& builder_;
+  const Subject& material_;
+  const bdpt_material_desc& desc_;
+  MaterialEntry& entry_;
+  uint32_t taken_ = 0;  // slots, one bit each
+};
+
+}  // namespace
+
+void read_texture_uses(bdpt_builder& builder, const Subject& material, const bdpt_material_desc& desc,
+                       MaterialEntry& entry) {
+  UseReader reader(builder, material, desc, entry);
+  material.check_range("texture_count", desc.texture_count, 0, kMaxUses);
+  if (desc.texture_count > 0) {
+    require(desc.textures, "desc.textures");
+    check_stride(material, "texture_stride", desc.texture_stride, kVersion1Size<bdpt_texture_use>, 8);
+    const uint32_t stride = desc.texture_stride ? desc.texture_stride : desc.textures->struct_size;
+    for (uint32_t i = 0; i < desc.texture_count; ++i) {
+      const std::string name = "textures[" + std::to_string(i) + "]";
+      reader.read(read_struct(&element(desc.textures, i, stride), name.c_str()),
+                  Subject((name + " of " + material.name()).c_str(), nullptr));
+    }
+  }
+  if (desc.reflectance_texture.id != 0) reader.read_reflectance();
+}
+
+}  // namespace bdpt

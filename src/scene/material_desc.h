@@ -1,0 +1,44 @@
+// A material as the builder hands it over: its numbers, and the textures that vary them over a surface.
+#pragma once
+
+#include "geometry/opacity.h"
+#include "material/material.h"
+
+#include <vector>
+
+namespace bdpt {
+
+// What a texture varies. A colour is multiplied by the texture's, a number by one of its channels.
+enum class Slot : uint8_t {
+  Reflectance,
+  Roughness,  // along u and v
+  Normal,     // a tangent-space normal map: 2 rgb - 1, x along u, y along v
+  Bump,       // a height along the normal, in the texture's channel times the use's scale, in world units
+};
+
+struct TextureUse {
+  int texture = 0;  // index into SceneDesc::textures
+  Slot slot = Slot::Reflectance;
+  uint8_t channel = 0;
+  bool squared = false;  // the texture's number counts by its square
+  float scale = 1;       // of a normal's x and y, and of heights
+  UvMap uv;
+  TextureSampler sampler;
+};
+
+struct MaterialDesc : Material {
+  MaterialDesc() = default;
+  MaterialDesc(const Material& material) : Material(material) {}
+
+  std::vector<TextureUse> textures;
+  Opacity opacity;
+
+  // Whether a copy of the numbers is needed at each point; the reflectance is the vertex's own.
+  bool varies() const {
+    for (const TextureUse& use : textures)
+      if (use.slot == Slot::Roughness) return true;
+    return false;
+  }
+};
+
+}  // namespace bdpt

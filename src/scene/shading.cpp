@@ -1,0 +1,122 @@
+// What textures and vertex colours make of a surface.
+#include "scene/scene.h"
+
+namespace bdpt {
+
+namespace {
+
+// How the point of a triangle moves with its texture coordinates; false where they do not vary.
+bool derivatives(const Vec3& e1, const Vec3& e2, const Vec2& d1, const Vec2& d2, Vec3& dp_du, Vec3& dp_dv) {
+  const float det = d1.x * d2.y - d1.y * d2.x;
+  if (det == 0) return false;
+  dp_du = (e1 * d2.y - e2 * d1.y) * (1 / det);
+  dp_dv = (e2 * d1.x - e1 * d2.x) * (1 / det);
+  return true;
+}
+
+}  // namespace
+
+Vec2 Scene::uv_at(const Instance& instance, int set, const Hit& hit, const Vec3& ng) const {
+  if (instance.mesh) return instance.mesh->uv_at(set, hit.primitive, hit.u, hit.v);
+  return uv_of_sphere(unit(instance.transform.transposed(ng)));
+}
+
+bool Scene::uv_frame(const Instance& instance, int set, const Hit& hit, const Vec3& ng, UvFrame& frame) const {
+  frame.uv = uv_at(instance, set, hit, ng);
+  if (instance.sphere) {
+    const Vec3 n = unit(instance.transform.transposed(ng));
+    const float ring = std::sqrt(n.x * n.x + n.y * n.y);
+    if (ring == 0) return false;
+    const float radius = instance.sphere->radius;
+    frame.dp_du = instance.transform.vector(Vec3(-n.y, n.x, 0) * (kTwoPi * radius));
+    frame.dp_dv = instance.transform.vector(Vec3(-n.x * n.z, -n.y * n.z, ring * ring) * (kPi * radius / ring));
+    return true;
+  }
+  const Mesh& mesh = *instance.mesh;
+  const Triangle t = mesh.triangles[hit.primitive];
+  const auto corner = [&](uint32_t i) {
+    return instance.world_positions.empty() ? instance.transform.point(mesh.positions[i]) : instance.world_positions[i];
+  };
+  const Vec3 a = corner(t.a);
+  Vec2 uv[3];
+  mesh.uv_corners(set, hit.primitive, uv);
+  return derivatives(corner(t.b) - a, corner(t.c) - a, uv[1] - uv[0], uv[2] - uv[0], frame.dp_du, frame.dp_dv);
+}
+
+void Scene::bend_normal(const Instance& instance, const TextureUse& use, const Hit& hit, Surface& s) const {
+  const Texture& texture = *desc_.textures[size_t(use.texture)];
+  UvFrame mesh_frame;
+  const bool varies = uv_frame(instance, use.uv.set, hit, s.ng, mesh_frame);
+  const Vec2 uv = use.uv(mesh_frame.uv);
+  // By the texture's own coordinates: the chain rule with the inverse of their map.
+  const float* m = use.uv.m;
+  const float det = m[0] * m[4] - m[1] * m[3];
+  const Vec3 dp_du = (mesh_frame.dp_du * m[4] - mesh_frame.dp_dv * m[3]) * (1 / det),
+             dp_dv = (mesh_frame.dp_dv * m[0] - mesh_frame.dp_du * m[1]) * (1 / det);
+  if (use.slot == Slot::Bump) {
+    if (!varies) return;
+    const Vec2 step(1 / float(texture.width()), 1 / float(texture.height()));
+    const auto height = [&](float u, float v) {
+      return texture.lookup(Vec2(uv.x + u, uv.y + v), use.sampler)[use.channel];
+    };
+    const float dh_du = use.scale * (height(step.x, 0) - height(-step.x, 0)) / (2 * step.x),
+                dh_dv = use.scale * (height(0, step.y) - height(0, -step.y)) / (2 * step.y);
+    // The gradient g in the plane of the normal: g dp_du = dh_du, g dp_dv = dh_dv.
+    const float volume = dot(s.ns, cross(dp_du, dp_dv));
+    if (volume == 0) return;
+    const Vec3 gradient = (cross(dp_dv, s.ns) * dh_du + cross(s.ns, dp_du) * dh_dv) * (1 / volume);
+    s.ns = unit(s.ns - gradient);
+    return;
+  }
+  Vec3 t;
+  float sign;
+  if (instance.mesh && !instance.mesh->tangents.empty()) {
+    const Triangle k = instance.mesh->triangles[hit.primitive];
+    const View<Tangent>& tangents = instance.mesh->tangents;
+    const Tangent a = tangents[k.a], b = tangents[k.b], c = tangents[k.c];
+    t = instance.transform.vector(a.direction * (1 - hit.u - hit.v) + b.direction * hit.u + c.direction * hit.v);
+    sign = a.sign * instance.handedness;
+  } else {
+    if (!varies) return;
+    t = dp_du;
+    sign = dot(cross(s.ns, dp_du), dp_dv) < 0 ? -1.0f : 1.0f;
+  }
+  const Frame frame(s.ns, t);
+  const Rgba texel = texture.lookup(uv, use.sampler);
+  const Vec3 n((2 * texel[0] - 1) * use.scale, sign * (2 * texel[1] - 1) * use.scale, 2 * texel[2] - 1);
+  if (n.z > 0) s.ns = unit(frame.to_world(n));
+}
+
+void Scene::shade(const Hit& hit, Surface& s, MaterialStore& store) const {
+  const Instance& instance = instances_[hit.instance];
+  if (instance.is_plain) return;
+  const MaterialDesc& material = *instance.material;
+  if (instance.mesh && !instance.mesh->colors.empty())
+    s.reflectance *= to_rgb(instance.mesh->color(hit.primitive, hit.u, hit.v));
+  Material* own = nullptr;
+  if (material.varies()) s.material = own = &store.add(material);
+  const Vec3 ng = s.ng;
+  for (const TextureUse& use : material.textures) {
+    if (use.slot == Slot::Normal || use.slot == Slot::Bump) {
+      bend_normal(instance, use, hit, s);
+      continue;
+    }
+    const Vec2 uv = use.uv(uv_at(instance, use.uv.set, hit, ng));
+    const Rgba texel = desc_.textures[size_t(use.texture)]->lookup(uv, use.sampler);
+    if (use.slot == Slot::Reflectance) {
+      s.reflectance *= to_rgb(texel);
+      continue;
+    }
+    const float number = use.squared ? sqr(texel[use.channel]) : texel[use.channel];
+    own->alpha_u *= number;
+    own->alpha_v *= number;
+  }
+  if (!s.material->is_anisotropic()) return;
+  UvFrame frame;
+  if (uv_frame(instance, 0, hit, s.ng, frame))
+    s.tangent = frame.dp_du;
+  else
+    s.tangent = Vec3(0);
+}
+
+}  // namespace bdpt

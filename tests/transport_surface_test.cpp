@@ -1,0 +1,195 @@
+// What varies over a surface gives one picture by all techniques: textures, normals, colours, and what is not there.
+#include "rendering.h"
+
+namespace bdpt {
+namespace {
+
+using namespace rendering;
+
+constexpr int kSize = 24;
+
+// A ball, a floor and a screen in the middle of a room, all of one material.
+struct Item {
+  std::string name;
+  std::function<MaterialDesc(scenes::Builder&)> material;
+  bool has_specular = false;  // then t <= 1 is not enough
+};
+
+Texture checks(float low, float high) {
+  std::vector<float> texels;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) texels.push_back((x + y) % 2 ? low : high);
+  return scenes::texture(4, 4, 1, texels);
+}
+
+Texture waves() {
+  std::vector<float> texels;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x)
+      for (double v : {0.5 + 0.2 * std::sin(x * M_PI / 4), 0.5 + 0.2 * std::sin(y * M_PI / 4), 0.95})
+        texels.push_back(float(v));
+  return scenes::texture(8, 8, 3, texels);
+}
+
+MaterialDesc with_opacity(Opacity::Mode mode, float value, int texture = -1) {
+  MaterialDesc m = scenes::diffuse(Rgb(0.7f, 0.5f, 0.3f));
+  m.opacity.mode = mode;
+  m.opacity.value = value;
+  m.opacity.texture = texture;
+  m.opacity.channel = 0;
+  return m;
+}
+
+std::vector<Item> items() {
+  using scenes::Builder;
+  return {
+      {"reflectance",
+       [](Builder& b) {
+         return scenes::textured(scenes::diffuse(Rgb(0.9f, 0.7f, 0.5f)), Slot::Reflectance,
+                                 b.add_texture(checks(0.2f, 1)));
+       }},
+      {"roughness",
+       [](Builder& b) {
+         return scenes::textured(scenes::conductor(0.5f, 0.5f), Slot::Roughness, b.add_texture(checks(0.4f, 1)));
+       }},
+      {"roughness, smooth in places",
+       [](Builder& b) {
+         MaterialDesc m = scenes::textured(scenes::conductor(0.5f, 0.5f), Slot::Roughness, b.add_texture(checks(0, 1)));
+         m.textures.back().sampler.filter = TextureFilter::Nearest;
+         return m;
+       },
+       true},
+      {"normal",
+       [](Builder& b) { return scenes::textured(scenes::diffuse(0.7f), Slot::Normal, b.add_texture(waves())); }},
+      {"normal on metal",
+       [](Builder& b) {
+         return scenes::textured(scenes::conductor(0.4f, 0.4f), Slot::Normal, b.add_texture(waves()));
+       }},
+      {"bump",
+       [](Builder& b) {
+         MaterialDesc m = scenes::textured(scenes::diffuse(0.7f), Slot::Bump, b.add_texture(waves()));
+         m.textures.back().scale = 0.1f;
+         return m;
+       }},
+      {"mask", [](Builder& b) { return with_opacity(Opacity::Mode::Mask, 1, b.add_texture(checks(0, 1))); }},
+      {"blend", [](Builder& b) { return with_opacity(Opacity::Mode::Blend, 0.9f, b.add_texture(checks(0.3f, 0.8f))); }},
+  };
+}
+
+ScenePointer build(const Item& item) {
+  scenes::Builder b = scenes::room({.points = !item.has_specular});
+  const MaterialDesc m = item.material(b);
+  scenes::MeshData screen =
+      scenes::quad(Vec3(-0.2f, -1, 0.2f), Vec3(0.5f, -1, 0), Vec3(0.5f, -0.2f, 0), Vec3(-0.2f, -0.2f, 0.2f));
+  screen.uv = {Vec2(0, 0), Vec2(1.5f, 0), Vec2(1.5f, 1), Vec2(0, 1)};
+  b.add(screen, m);
+  b.add_sphere(Vec3(-0.5f, 0.1f, 0.1f), 0.25f, m);
+  return b.build();
+}
+
+class TransportSurface : public testing::TestWithParam<Item> {};
+
+TEST_P(TransportSurface, AllTechniquesGiveOnePicture) {
+  const Item& item = GetParam();
+  const ScenePointer scene = build(item);
+  const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
+  struct Way {
+    const char* name;
+    std::function<bool(int, int)> allows;
+    uint64_t passes;
+  };
+  const Way ways[] = {{"path", [](int s, int) { return s <= 1; }, 16},
+                      {"light", [](int, int t) { return t <= 1; }, 32},
+                      {"bidirectional", [](int, int) { return true; }, 16},
+                      {"odd", [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; }, 16}};
+  std::vector<BlockMeans> means;
+  std::vector<std::string> names;
+  for (const Way& w : ways) {
+    if (item.has_specular && w.name == std::string("light")) continue;
+    means.push_back(block_means(scene, camera, options_for(mask_of(w.allows), 5),
+                                {.passes = w.passes, .first_seed = means.size() + 1}));
+    names.push_back(w.name);
+  }
+  expect_all_same(means, names);
+}
+
+INSTANTIATE_TEST_SUITE_P(Items, TransportSurface, testing::ValuesIn(items()), [](const auto& info) {
+  std::string name = info.param.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  return name;
+});
+
+// A screen that is there with half a chance lets half of the light through: by shadow rays and by paths.
+TEST(Opacity, ABlendLetsItsPartOfLightThrough) {
+  for (int technique : {0, 1}) {
+    scenes::Builder b;
+    b.add(scenes::quad(Vec3(-1, -1, -2), Vec3(1, -1, -2), Vec3(1, 1, -2), Vec3(-1, 1, -2)), scenes::emitter(Rgb(1)));
+    MaterialDesc screen = scenes::diffuse(0);
+    screen.opacity.mode = Opacity::Mode::Blend;
+    screen.opacity.value = 0.3f;
+    b.add(scenes::quad(Vec3(-1, -1, -1), Vec3(1, -1, -1), Vec3(1, 1, -1), Vec3(-1, 1, -1)), screen);
+    const SensorPointer camera = scenes::camera({Vec3(0), Vec3(0, 0, -1), 20}, 8, 8);
+    const Picture picture = render(b.build(), camera, options_for(technique ? only(0, 2) : only(1, 1), 1), 256, 7);
+    // 64 pixels of 256 samples, each there with probability 0.7.
+    EXPECT_NEAR(mean_of(*picture.film), 0.7, technique ? 4 * std::sqrt(0.21 / (64 * 256)) : 0.03);
+  }
+}
+
+TEST(Opacity, AMaskIsThereWhereItReachesTheCutoff) {
+  scenes::Builder b;
+  b.add(scenes::quad(Vec3(-1, -1, -2), Vec3(1, -1, -2), Vec3(1, 1, -2), Vec3(-1, 1, -2)), scenes::emitter(Rgb(1)));
+  MaterialDesc screen = scenes::diffuse(0);
+  screen.opacity.mode = Opacity::Mode::Mask;
+  screen.opacity.channel = 0;
+  screen.opacity.sampler.filter = TextureFilter::Nearest;
+  screen.opacity.texture = b.add_texture(scenes::texture(2, 1, 1, {0.4f, 0.5f}));
+  scenes::MeshData mesh = scenes::quad(Vec3(-1, -1, -1), Vec3(1, -1, -1), Vec3(1, 1, -1), Vec3(-1, 1, -1));
+  mesh.uv = {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
+  b.add(mesh, screen);
+  const SensorPointer camera = scenes::camera({Vec3(0), Vec3(0, 0, -1), 20}, 8, 8);
+  const std::vector<float> pixels = read(*render(b.build(), camera, options_for(only(0, 2), 1), 1, 7).film);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(pixels[size_t(3 * (8 * y + x))], x < 4 ? 1 : 0) << x << ", " << y;
+}
+
+// An instanced mesh asks for each of its instances.
+TEST(Opacity, IsThatOfTheInstance) {
+  scenes::Builder b;
+  b.add(scenes::quad(Vec3(-2, -1, -2), Vec3(2, -1, -2), Vec3(2, 1, -2), Vec3(-2, 1, -2)), scenes::emitter(Rgb(1)));
+  Transform left, right;
+  left.m[3] = -0.5f, right.m[3] = 0.5f;
+  b.add(scenes::quad(Vec3(-0.5f, -1, -1), Vec3(0.5f, -1, -1), Vec3(0.5f, 1, -1), Vec3(-0.5f, 1, -1)),
+        scenes::diffuse(0), left);
+  MaterialDesc gone = scenes::diffuse(0);
+  gone.opacity.mode = Opacity::Mode::Blend;
+  gone.opacity.value = 0;
+  const int shape = b.next_shape() - 1;
+  b.add_instance(shape, b.add_material(gone), right);
+  const SensorPointer camera = scenes::camera({Vec3(0), Vec3(0, 0, -1), 20}, 8, 8);
+  const std::vector<float> pixels = read(*render(b.build(), camera, options_for(only(0, 2), 1), 1, 7).film);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(pixels[size_t(3 * (8 * y + x))], x < 4 ? 0 : 1) << x << ", " << y;
+}
+
+// Colours of vertices multiply the reflectance: a floor lit from far above shows their interpolation.
+TEST(VertexColors, MultiplyTheReflectance) {
+  scenes::Builder b;
+  scenes::MeshData floor = scenes::quad(Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1), Vec3(-1, 0, -1));
+  floor.colors = {{0, 1, 0.5f, 1}, {1, 1, 0.5f, 1}, {1, 1, 0.5f, 1}, {0, 1, 0.5f, 1}};
+  b.add(floor, scenes::diffuse(Rgb(0.5f, 0.5f, 1)));
+  b.environment(Rgb(1));
+  const SensorPointer camera = scenes::camera({Vec3(0, 1, 0), Vec3(0, 0, 0), 90}, 8, 8);
+  // By paths that see the environment, all of a diffuse surface's light has the radiance of its reflectance.
+  const std::vector<float> pixels = read(*render(b.build(), camera, options_for(only(0, 3), 2), 4096, 7).film);
+  for (int x = 0; x < 8; ++x) {
+    const float* p = &pixels[size_t(3 * (8 * 4 + x))];
+    EXPECT_NEAR(p[0], 0.5f * (float(x) + 0.5f) / 8, 0.01)
+        << x;  // spread of the pixel's place: 0.5 / 8 / sqrt(12 * 4096)
+    EXPECT_NEAR(p[1], 0.5f, 1e-3);
+    EXPECT_NEAR(p[2], 0.5f, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace bdpt
