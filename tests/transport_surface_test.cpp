@@ -98,9 +98,9 @@ TEST_P(TransportSurface, AllTechniquesGiveOnePicture) {
     std::function<bool(int, int)> allows;
     uint64_t passes;
   };
-  const Way ways[] = {{"path", [](int s, int) { return s <= 1; }, 16},
-                      {"light", [](int, int t) { return t <= 1; }, 32},
-                      {"bidirectional", [](int, int) { return true; }, 16},
+  const Way ways[] = {{"path", [](int s, int) { return s <= 1; }, 8},
+                      {"light", [](int, int t) { return t <= 1; }, 16},
+                      {"bidirectional", [](int, int) { return true; }, 8},
                       {"odd", [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; }, 16}};
   std::vector<BlockMeans> means;
   std::vector<std::string> names;
