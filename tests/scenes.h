@@ -226,6 +226,14 @@ class Builder {
     desc_.materials.push_back(material);
     return int(desc_.materials.size()) - 1;
   }
+  int add_medium(std::shared_ptr<const Medium> medium) {
+    desc_.media.push_back(std::move(medium));
+    return int(desc_.media.size()) - 1;
+  }
+  Builder& outside(int medium) {
+    desc_.outside = medium;
+    return *this;
+  }
   int add_texture(Texture texture) {
     desc_.textures.push_back(std::make_shared<const Texture>(std::move(texture)));
     return int(desc_.textures.size()) - 1;

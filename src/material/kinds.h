@@ -14,7 +14,7 @@ struct MaterialKind {
   bool (*transmits)(const Material& material);
 };
 
-extern const MaterialKind kDiffuseKind, kMirrorKind, kConductorKind, kDielectricKind;
+extern const MaterialKind kDiffuseKind, kMirrorKind, kConductorKind, kDielectricKind, kInterfaceKind;
 
 inline bool always(const Material&) { return true; }
 inline bool never(const Material&) { return false; }

@@ -8,8 +8,9 @@ namespace bdpt {
 namespace {
 
 // In the order of MaterialType.
-constexpr const MaterialKind* kKinds[] = {&kDiffuseKind, &kMirrorKind, &kConductorKind, &kDielectricKind};
-static_assert(std::size(kKinds) == static_cast<size_t>(MaterialType::Dielectric) + 1);
+constexpr const MaterialKind* kKinds[] = {&kDiffuseKind, &kMirrorKind, &kConductorKind, &kDielectricKind,
+                                          &kInterfaceKind};
+static_assert(std::size(kKinds) == static_cast<size_t>(MaterialType::Interface) + 1);
 
 const MaterialKind& kind_of(const Material& material) { return *kKinds[static_cast<int>(material.type)]; }
 

@@ -15,7 +15,13 @@ enum class TransportMode {
   Importance,  // a light subpath: previous is the side of the light
 };
 
-enum class MaterialType { Diffuse, Mirror, Conductor, Dielectric };
+enum class MaterialType {
+  Diffuse,
+  Mirror,
+  Conductor,
+  Dielectric,
+  Interface,  // between media: there is nothing to see of it
+};
 
 // The numbers of a material at a point of a surface.
 struct Material {
@@ -25,6 +31,7 @@ struct Material {
   float ior = 1.5f;                // dielectric: inside over outside
   float alpha_u = 0, alpha_v = 0;  // GGX; both zero = smooth
   bool one_sided = false;
+  uint16_t encloses = 0;  // number in the scene's Interiors; 0 = nothing that counts
   Rgb emission;
   bool emission_two_sided = false;
   uint32_t emission_group = 0;  // see LightDesc

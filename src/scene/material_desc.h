@@ -32,6 +32,8 @@ struct MaterialDesc : Material {
 
   std::vector<TextureUse> textures;
   Opacity opacity;
+  int interior = -1;      // index into SceneDesc::media: what its closed surfaces enclose
+  uint32_t priority = 0;  // where they overlap others
 
   // Whether a copy of the numbers is needed at each point; the reflectance is the vertex's own.
   bool varies() const {

@@ -63,6 +63,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
       add(use.scale);
       h = hash_combine(h, hash_values(int(use.slot), use.squared));
     }
+    if (m.interior >= 0 || m.priority > 0) h = hash_combine(h, hash_values(m.interior, m.priority));
     if (m.opacity.mode != Opacity::Mode::Opaque) {
       const Opacity& o = m.opacity;
       add(o.value);
@@ -71,6 +72,12 @@ uint64_t hash_scene(const SceneDesc& desc) {
       add_lookup(o.texture, o.channel, o.uv, o.sampler);
     }
   }
+  for (const auto& medium : desc.media) {
+    const float numbers[] = {medium->sigma_a.r, medium->sigma_a.g, medium->sigma_a.b, medium->sigma_s.r,
+                             medium->sigma_s.g, medium->sigma_s.b, medium->g};
+    add(numbers);
+  }
+  if (desc.outside >= 0) h = hash_combine(h, uint64_t(desc.outside));
   for (const LightDesc& l : desc.lights) {
     const float numbers[] = {l.position.x,  l.position.y,  l.position.z,  l.direction.x, l.direction.y,
                              l.direction.z, l.intensity.r, l.intensity.g, l.intensity.b, l.radiance.r,
@@ -100,6 +107,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
     fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light; add some before building");
 
   booking_ = Booking(meter, world_position_bytes(), "the scene's world positions");
+  number_enclosures();
   place_instances();
   collect_lights();
 
@@ -126,6 +134,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (const MaterialDesc& m : desc_.materials)
     info_.has_specular = info_.has_specular || m.is_specular() || m.varies();
   info_.hash = hash_scene(desc_);
+  if (has_interiors_) find_light_interiors();
 }
 
 // Embree reads 16 bytes past the last position: arrays that may not be read so far are copied.

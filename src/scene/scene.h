@@ -3,8 +3,10 @@
 
 #include "base/memory.h"
 #include "geometry/embree.h"
+#include "geometry/margin.h"
 #include "light/lights.h"
 #include "material/material_store.h"
+#include "scene/interiors.h"
 #include "scene/scene_desc.h"
 
 #include <functional>
@@ -46,6 +48,31 @@ class Scene {
   const RayScene& rays() const { return *rays_; }
   const Lights& lights() const { return lights_; }
   const SceneInfo& info() const { return info_; }
+
+  // --- Media ---
+  // Whether what encloses a point matters at all; else every Interior is empty.
+  bool has_interiors() const { return has_interiors_; }
+  // Whether there are surfaces that rays may have to pass: then shadow rays are not enough.
+  bool has_passable() const { return has_passable_; }
+  const Interiors& interiors() const { return interiors_; }
+  // What encloses a point, by a ray that leaves it.
+  Interior interior_at(const Vec3& p) const;
+  Interior interior_of_light(int light) const {
+    return light_interiors_.empty() ? Interior() : light_interiors_[size_t(light)];
+  }
+  // The other side of a surface, seen from its front or its back. False where four enclose the point already.
+  static bool enter_or_leave(Interior& interior, uint16_t encloses, bool from_front) {
+    if (encloses == 0) return true;
+    if (from_front && interior.is_full()) return false;
+    interior = from_front ? interior.entered(encloses) : interior.left(encloses);
+    return true;
+  }
+  // Whether rays pass the surface as if it were not there.
+  bool is_passed(const Material& material, const Interior& interior, bool from_front) const {
+    if (!has_passable_ || material.encloses == 0) return false;
+    return material.type == MaterialType::Interface ||
+           !interiors_.is_boundary(from_front ? interior : interior.left(material.encloses), material.encloses);
+  }
 
   // --- For sensors on surfaces ---
   size_t instance_count() const { return instances_.size(); }
@@ -90,6 +117,8 @@ class Scene {
   const OpacityTest* opacity_test(const Instance& instance);
   std::vector<int> uses_of_shapes() const;
   uint64_t world_position_bytes() const;
+  void number_enclosures();
+  void find_light_interiors();
   void place_instances();
   void collect_lights();
   bool triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& surface) const;
@@ -108,6 +137,9 @@ class Scene {
   std::vector<std::pair<const Mesh*, View<Vec3>>> padded_;  // meshes whose positions had to be copied
   std::vector<std::unique_ptr<const OpacityTest>> opacity_tests_;
   Lights lights_;
+  Interiors interiors_;
+  bool has_interiors_ = false, has_passable_ = false;
+  std::vector<Interior> light_interiors_;
   std::unique_ptr<RayScene> rays_;
   SceneInfo info_;
   Booking booking_;

@@ -5,6 +5,7 @@
 #include "geometry/texture.h"
 #include "light/light_desc.h"
 #include "math/transform.h"
+#include "medium/medium.h"
 #include "scene/material_desc.h"
 
 #include <memory>
@@ -26,6 +27,8 @@ struct SceneDesc {
   std::vector<Shape> shapes;
   std::vector<std::shared_ptr<const Texture>> textures;
   std::vector<MaterialDesc> materials;
+  std::vector<std::shared_ptr<const Medium>> media;
+  int outside = -1;               // the medium outside of all that encloses one
   std::vector<LightDesc> lights;  // those that are no instances
   std::vector<InstanceDesc> instances;
 };

@@ -139,6 +139,7 @@ void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
   w.projected = z0.density_direction;
   w.throughput = Rgb(z0.weight);
   w.density = z0.density_position;
+  w.interior = engine_.sensor_interior;
   w.sums = strategy_->classes.t0;  // u_0: t = 0
   w.vertex = index;
   w.count = 1;
@@ -181,6 +182,7 @@ void Block::start_light(uint32_t light, uint32_t most) {
   w.start_hittable = y0.y0.has_area || y0.y0.infinite;
   w.start_finite = !y0.y0.infinite;
   w.group = uint8_t(engine_.scene.lights().group(y0.y0.light));
+  w.interior = engine_.scene.interior_of_light(y0.y0.light);
   w.sums = w.outer = w.start_hittable ? engine_.strategy.classes.s0 : 0;  // u_0: s = 0
   w.vertex = kNoVertex;
   w.count = 1;

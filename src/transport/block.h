@@ -143,7 +143,10 @@ class Block {
     uint32_t most;    // vertices that the subpath may have
     uint32_t sample;  // number of the subpath within its side
     bool eye, specular, infinite, start_hittable, start_finite;
-    uint8_t group;  // light side: of y_0's light
+    uint8_t group;           // light side: of y_0's light
+    bool in_medium = false;  // the last vertex
+    Interior interior;       // what encloses the front end
+    Passage passage;         // from the last vertex on, as far as the ray has passed boundaries
   };
   // A vertex that was just made.
   struct Arrival {
@@ -198,16 +201,38 @@ class Block {
   void trace();
   void push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from);
   void arrive(const Walker& walker, const Ray& ray, const Hit& hit);
+  // The same of a walker where media count.
+  void travel(const Walker& walker, const Ray& ray, const Hit& hit);
+  void arrive_on(const Walker& walker, const Hit& hit, const Surface& surface);
+  void arrive_in(const Walker& walker, const Medium& medium, const Vec3& p);
+  // Ends the walker's way after one more stretch, with its throughput; false where nothing comes so far.
+  bool end_passage(Walker& walker, const Medium* medium, float length, bool in_medium) const;
+  // A vertex at p, but for what it lies on; nullptr where its density is none.
+  Vertex* add_vertex(const Walker& walker, const Vec3& p, float geometry, bool in_medium);
+  void weigh_vertex(const Walker& walker, Vertex& vertex);
+  // The media on the way along a shadow ray that begins within `interior`. False where the way is blocked, if rays had
+  // to be traced to find out; then the shadow ray is spent, and has no length any more.
+  bool passes(Interior interior, Ray& ray, float length, Passage& passage);
+  // What encloses the way from a vertex along w.
+  Interior interior_toward(const Vertex& v, const Vec3& w) const;
   void escape(const Walker& walker);
   // What the first ray of an eye subpath sees, for outputs that are not about light.
   void see(const Walker& walker, const Ray& ray, const Hit& hit);
   void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
+  void hit_sensor_in_media(const Walker& walker, const Ray& ray, float tmax, const Medium* medium);
   void cross_sensor(const Walker& walker, const Ray& ray, float tmax);
   void land(const Walker& walker, const Hit& hit, const Vertex& y);
   // t = 0 at z_0, with the edge of the light subpath there and its density.
   void add_arrival(const Walker& walker, const SensorPoint& z0, float geometry, float density);
   void hit_light(const Walker& walker, const Vertex& z, const LightPoint& x0, const Rgb& radiance);
-  void continue_walk(const Walker& walker, Vertex& vertex, uint32_t index);
+  void continue_walk(const Walker& walker, Vertex& vertex);
+  bool survives_roulette(const Vertex& vertex, float local, float u, Rgb& factor) const;
+  // How a walk leaves a vertex: projected densities of its direction and of the way back, and its cosine.
+  struct Leaving {
+    float projected, reverse, cosine;
+  };
+  void walk_on(const Walker& walker, Vertex& vertex, const Vec3& next, const Rgb& factor, const Leaving& leaving,
+               const Interior& interior);
   void connect_ends();
   // s = 1: joins z to fresh light vertices.
   void connect_to_light(const Vertex& z, uint32_t sample);
@@ -215,8 +240,8 @@ class Block {
   Four draw_direct(const Vertex& z, uint32_t sample, uint32_t number);
   // The contribution of one of them, but for its weight, its visibility and their number.
   Rgb direct_throughput(const Vertex& z, uint32_t sample, const DirectLight& light, Scattering& at_z, float& geometry);
-  // The same weighted.
-  Rgb direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light);
+  // The same weighted, and what media leave of it; and its shadow ray.
+  Rgb direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light, Ray& ray);
   // (1,1) of a local sensor as if nothing were in the way, for outputs that ask for it.
   void measure_unshadowed(uint32_t sample);
   // t = 1: joins y to a fresh sensor vertex.
@@ -235,6 +260,8 @@ class Block {
   void add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint32_t t, const Rgb& contribution,
                  uint32_t group, const SensorPlace* z0 = nullptr, const Vec3* w = nullptr);
   void count(uint32_t s, uint32_t t, const Rgb& value);
+  // Counts a subpath that cannot go on.
+  void reject_walk(const Walker& walker);
   // Counts a contribution, or a whole sample, that is left out.
   void reject(const FilmPosition& film);
   void push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t, uint32_t group,

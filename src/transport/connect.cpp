@@ -21,33 +21,41 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   float z_cosine;
   if (!scatter(y, w, TransportMode::Importance, at_y) || !scatter_to_eye(z, sample, -w, distance, at_z, z_cosine))
     return;
-  const float geometry = absdot(y.ng, w) * z_cosine / d2;
+  const float geometry = y.cosine(w) * z_cosine / d2;
   Rgb c = y.throughput * at_y.f * (at_z.f * z.throughput) * geometry;  // (10.8)
   if (is_black(c)) return;
+  Ray ray = between(off_surface(y, w), off_surface(z, -w));
+  Passage passage;
+  if (engine_.media) {
+    if (!passes(interior_toward(y, w), ray, distance, passage)) return;
+    c *= passage.transmittance();
+  }
+  const float to_z = geometry * passage.density_to(z.in_medium()),
+              to_y = geometry * passage.density_back(y.in_medium());
 
   float weight = 1;
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
-    const float edge = geometry / strategy_->counts.connections;
+    const float count = strategy_->counts.connections;
     const bool outer = engine_.uses_outer(*strategy_);  // then z is a sensor's
     const float technique = outer && y.count > 2 ? 0 : y.technique, sums = outer ? y.outer : y.sums;
-    weight = h.weight(at_z.next * edge / y.density * h.combine(technique, at_y.previous * sums),
-                      at_y.next * edge / z.density * h.combine(z.technique, at_z.previous * z.sums));
+    weight = h.weight(at_z.next * (to_y / count) / y.density * h.combine(technique, at_y.previous * sums),
+                      at_y.next * (to_z / count) / z.density * h.combine(z.technique, at_z.previous * z.sums));
   } else if (!engine_.unweighted) {
-    const Edge e{at_y.next * geometry * (z.is_sensor() ? at_z.previous : 1), at_z.previous * z.geometry,
-                 at_z.next * geometry, at_y.previous * y.geometry};
+    const Edge e{at_y.next * to_z * (z.is_sensor() ? at_z.previous : 1), at_z.previous * z.geometry, at_z.next * to_y,
+                 at_y.previous * y.geometry};
     weight =
         path_weight(&y, &z, y.count, z.count, e, {}, {}, y.direct, y.start_hittable, y.start_finite, light, *strategy_);
   }
   c *= weight / count;
   if (is_black(c)) return;
-  push_connection(between(off_surface(y, w), off_surface(z, -w)), c, sample, y.count, z.count, y.group);
+  push_connection(ray, c, sample, y.count, z.count, y.group);
 }
 
 bool Block::scatter_to_eye(const Vertex& z, uint32_t sample, const Vec3& w, float distance, Scattering& scattering,
                            float& cosine) const {
   if (!z.is_sensor()) {
-    cosine = absdot(z.ng, w);
+    cosine = z.cosine(w);
     return scatter(z, w, TransportMode::Radiance, scattering);
   }
   SensorDirection toward;
@@ -77,6 +85,7 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
     for (uint32_t i = 0; i < samples; ++i) {
       // Of the candidates one is kept, by its contribution: each as likely as its part of their sum so far.
       DirectLight light, candidate;
+      Ray ray;
       Rgb kept;
       float sum = 0;
       double v = 0;
@@ -89,7 +98,8 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
         const double choice = (double(k * samples + i) + join(u[0], u[3])) / strata;
         ++stats_.connections;
         if (!lighting.sample(x, turn, choice, u[1], u[2], candidate)) continue;
-        const Rgb c = direct_contribution(z, sample, candidate);
+        Ray way;
+        const Rgb c = direct_contribution(z, sample, candidate, way);
         if (is_black(c)) continue;
         sum += norm(c);
         const double q = double(norm(c)) / double(sum);
@@ -97,6 +107,7 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
           v /= q;
           kept = c;
           light = candidate;
+          ray = way;
         } else {
           v = (v - q) / (1 - q);
         }
@@ -104,12 +115,7 @@ void Block::connect_to_light(const Vertex& z, uint32_t sample) {
       if (!(sum > 0)) continue;
       // Its probability was its part of the sum.
       const Rgb c = strata == 1 ? kept : kept * (sum / (norm(kept) * float(strata)));
-      const Vec3 w = light.direction, from = off_surface(z, w);
-      const uint32_t group = engine_.scene.lights().group(light.y0.light);
-      if (light.y0.infinite)
-        push_connection({from, kInfinity, w}, c, sample, 1, z.count, group);
-      else
-        push_connection(between(from, off_surface(light.y0, -w)), c, sample, 1, z.count, group);
+      push_connection(ray, c, sample, 1, z.count, engine_.scene.lights().group(light.y0.light));
     }
 }
 
@@ -164,14 +170,23 @@ void Block::measure_unshadowed(uint32_t sample) {
     }
 }
 
-Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light) {
+Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLight& light, Ray& ray) {
   const Lights& lights = engine_.scene.lights();
   const LightPoint& y0 = light.y0;
   const Vec3 w = light.direction;
   Scattering at_z;
   float geometry = 0;
-  const Rgb c = direct_throughput(z, sample, light, at_z, geometry);
-  if (is_black(c) || engine_.unweighted) return c;
+  Rgb c = direct_throughput(z, sample, light, at_z, geometry);
+  if (is_black(c)) return c;
+  const Vec3 from = off_surface(z, w);
+  ray = y0.infinite ? Ray{from, kInfinity, w} : between(from, off_surface(y0, -w));
+  Passage passage;
+  if (engine_.media) {
+    if (!passes(interior_toward(z, w), ray, light.distance, passage)) return Rgb();
+    c *= passage.transmittance();
+  }
+  if (engine_.unweighted) return c;
+  const float to_y = geometry * passage.density_to(false), to_z = geometry * passage.density_back(z.in_medium());
 
   const bool hittable = y0.has_area || y0.infinite;
   const float position = lights.position_density(y0, engine_.light_choice());
@@ -180,14 +195,14 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
     // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
     const PowerHeuristic& h = engine_.heuristic;
     const float density = light.density * strategy_->counts.direct;
-    const float s0 = hittable ? strategy_->classes.s0 * at_z.next * geometry / density : 0;
-    const float others = direction * geometry / z.density * h.combine(z.technique, at_z.previous * z.sums);
+    const float s0 = hittable ? strategy_->classes.s0 * at_z.next * to_y / density : 0;
+    const float others = direction * to_z / z.density * h.combine(z.technique, at_z.previous * z.sums);
     return c * h.weight(s0, others * (position / density));
   }
   Edge e;
-  e.light_at_z = direction * geometry * (z.is_sensor() ? at_z.previous : 1);
+  e.light_at_z = direction * to_z * (z.is_sensor() ? at_z.previous : 1);
   e.light_before_z = at_z.previous * z.geometry;
-  const PathVertex start{position, at_z.next * geometry, false};
+  const PathVertex start{position, at_z.next * to_y, false};
   return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable,
                          engine_.local || !y0.infinite, light_, *strategy_);
 }
@@ -210,29 +225,36 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   const Vec3 w = edge * (1 / std::sqrt(d2));
   Scattering at_y;
   if (!scatter(y, w, TransportMode::Importance, at_y)) return;
-  const float geometry = absdot(y.ng, w) * absdot(z0.normal, w) / d2;
+  const float geometry = y.cosine(w) * absdot(z0.normal, w) / d2;
   Rgb c = y.throughput * at_y.f * (geometry * z0.importance / z0.density_position);
   if (is_black(c)) return;
+  Ray ray = between(off_surface(y, w), z0.p);
+  Passage passage;
+  if (engine_.media) {
+    if (!passes(interior_toward(y, w), ray, std::sqrt(d2), passage)) return;
+    c *= passage.transmittance();
+  }
+  const float to_z = geometry * passage.density_to(false), to_y = geometry * passage.density_back(y.in_medium());
 
   float weight = 1;
   if (engine_.running_sums) {
     const PowerHeuristic& h = engine_.heuristic;
-    const float edge = geometry / strategy.counts.light;
+    const float count = strategy.counts.light;
     const bool outer = engine_.uses_outer(strategy);
     const float technique = outer && y.count > 2 ? 0 : y.technique, sums = outer ? y.outer : y.sums;
-    weight = h.weight(z0.density_direction * edge / y.density * h.combine(technique, at_y.previous * sums),
-                      strategy.classes.t0 * at_y.next * edge / z0.density_position);
+    weight = h.weight(z0.density_direction * (to_y / count) / y.density * h.combine(technique, at_y.previous * sums),
+                      strategy.classes.t0 * at_y.next * (to_z / count) / z0.density_position);
   } else if (!engine_.unweighted) {
     Edge e;
-    e.eye_at_y = z0.density_direction * geometry;
+    e.eye_at_y = z0.density_direction * to_y;
     e.eye_before_y = at_y.previous * y.geometry;
-    const PathVertex end{at_y.next * geometry, z0.density_position, false};
+    const PathVertex end{at_y.next * to_z, z0.density_position, false};
     weight =
         path_weight(&y, nullptr, y.count, 1, e, {}, end, y.direct, y.start_hittable, y.start_finite, light_, strategy);
   }
   c *= weight / strategy.counts.light;
   if (is_black(c)) return;
-  push_connection(between(off_surface(y, w), z0.p), c, light, y.count, 1, y.group, z0.film);
+  push_connection(ray, c, light, y.count, 1, y.group, z0.film);
 }
 
 void Block::connect_start_to_sensor(uint32_t light) {
@@ -256,10 +278,16 @@ void Block::connect_start_to_sensor(uint32_t light) {
   const float geometry = y_cosine * absdot(z0.normal, w) / d2;
   Rgb c = emitted * (geometry * z0.importance / (z0.density_position * start.density_position));
   if (is_black(c)) return;
+  Ray ray = between(off_surface(y0, w), z0.p);
+  Passage passage;
+  if (engine_.media) {
+    if (!passes(engine_.scene.interior_of_light(y0.light), ray, std::sqrt(d2), passage)) return;
+    c *= passage.transmittance();
+  }
 
   float weight = 1;
-  const float light_at_z0 = lights.direction_density(y0, w) * geometry;
-  const float eye_at_y0 = z0.density_direction * geometry;
+  const float light_at_z0 = lights.direction_density(y0, w) * geometry * passage.density_to(false);
+  const float eye_at_y0 = z0.density_direction * geometry * passage.density_back(false);
   if (engine_.running_sums) {
     const float s0 = y0.has_area ? strategy.classes.s0 * eye_at_y0 / start.density_position : 0;
     const float t0 = strategy.classes.t0 * light_at_z0 / z0.density_position;
@@ -270,8 +298,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
   }
   c *= weight / strategy.counts.light;
   if (is_black(c)) return;
-  const Vec3 from = off_surface(y0, w);
-  push_connection(between(from, z0.p), c, light, 1, 1, lights.group(y0.light), z0.film);
+  push_connection(ray, c, light, 1, 1, lights.group(y0.light), z0.film);
 }
 
 float Block::path_weight(const Vertex* y, const Vertex* z, uint32_t s, uint32_t t, const Edge& edge,

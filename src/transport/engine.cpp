@@ -35,6 +35,12 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   running_sums = structured && !options.correlation_aware &&
                  (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
   limit_subpaths();
+  media = scene.has_interiors();
+  if (media && !local) {
+    const float lens[2] = {0.5f, 0.5f};
+    const float x = 0.5f * float(bounds.x0 + bounds.x1), y = 0.5f * float(bounds.y0 + bounds.y1);
+    sensor_interior = scene.interior_at(sensor.start({x, y}, lens, bounds).p);
+  }
   if (options.shadow_roulette == Roulette::Fixed) roulette.set_fixed(options.shadow_threshold);
 }
 

@@ -49,6 +49,8 @@ struct Engine {
   bool hit_sensor;              // whether t = 0 is done at all,
   bool land;                    // and where light lands on surfaces,
   bool cross;                   // or passes through volumes
+  bool media;                   // whether media count in the scene
+  Interior sensor_interior;     // what encloses a camera's z_0
   RayRecorder* recorder = nullptr;
   ShadowRoulette roulette;
   SampleRates rates;

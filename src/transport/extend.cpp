@@ -4,6 +4,12 @@
 
 namespace bdpt {
 
+namespace {
+
+constexpr float kMostLikely = 0.95f;  // that a walk goes on where roulette is played
+
+}  // namespace
+
 void Block::extend() {
   if (responses_.unshadowed() && !keeps_) {
     StageTimer timer(stats_.connect);
@@ -30,11 +36,15 @@ void Block::extend() {
       for (size_t i = 0; i < walkers_.size(); ++i) {
         const Walker& w = walkers_[i];
         ++(w.eye ? stats_.eye_rays : stats_.light_rays);
+        if (w.eye && w.count == 1 && responses_.sees()) see(w, rays_[i], hits_[i]);
+        if (engine_.media) {
+          travel(w, rays_[i], hits_[i]);
+          continue;
+        }
         if (!w.eye && engine_.hit_sensor) {
           const float tmax = hits_[i].instance == kMiss ? kInfinity : hits_[i].t;
           engine_.cross ? cross_sensor(w, rays_[i], tmax) : hit_sensor(w, rays_[i], tmax);
         }
-        if (w.eye && w.count == 1 && responses_.sees()) see(w, rays_[i], hits_[i]);
         if (hits_[i].instance == kMiss)
           escape(w);
         else
@@ -79,7 +89,8 @@ void Block::trace() {
   if (engine_.recorder) engine_.recorder->record(rays_.data(), rays_.size(), false);
 }
 
-// u_i of mis.h, for the technique that would join this vertex to the one before it, unless this one scatters by a Dirac.
+// u_i of mis.h, for the technique that would join this vertex to the one before it, unless this one scatters by a
+// Dirac.
 float Block::technique(const Walker& w, const Vertex& v) const {
   if (w.specular || !v.joinable) return 0;
   const TechniqueClasses& c = (w.eye ? *strategy_ : engine_.strategy).classes;
@@ -90,49 +101,66 @@ float Block::technique(const Walker& w, const Vertex& v) const {
 void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
   Surface surface;
   if (!engine_.scene.surface(ray, hit, surface)) return;
-  engine_.scene.shade(hit, surface, (w.eye ? eye_.materials : light_.materials));
-  std::vector<Vertex>& vertices = w.eye ? eye_.vertices : light_.vertices;
-  const Vec3 edge = surface.p - w.origin;
-  const float cosine = absdot(surface.ng, w.direction);
-  const float geometry = w.infinite ? cosine : w.cosine * cosine / length_squared(edge);
-  const float density = w.projected * geometry;
-  if (!(density > 0) || !std::isfinite(density)) return;
+  engine_.scene.shade(hit, surface, w.eye ? eye_.materials : light_.materials);
+  arrive_on(w, hit, surface);
+}
 
+Vertex* Block::add_vertex(const Walker& w, const Vec3& p, float geometry, bool in_medium) {
+  const float density = w.projected * geometry * w.passage.density_to(in_medium);
+  if (!(density > 0) || !std::isfinite(density)) return nullptr;
+  std::vector<Vertex>& vertices = w.eye ? eye_.vertices : light_.vertices;
   const uint32_t index = uint32_t(vertices.size());
+  (w.eye ? eye_.last : light_.last)[w.sample] = index;
+  arrivals_.push_back({index, w.sample, w.eye});
   Vertex& v = vertices.emplace_back();
-  v.p = surface.p;
-  v.margin = surface.margin;
+  v.p = p;
   v.density = density;
-  v.ng = surface.ng;
-  v.geometry = geometry;
-  if (engine_.cross && w.eye && w.count == 1) v.geometry *= along_way(eye_.starts[w.sample], w.direction, length(edge));
-  v.ns = surface.ns;
+  v.geometry = geometry * w.passage.density_back(w.in_medium);
+  if (engine_.cross && w.eye && w.count == 1)
+    v.geometry *= along_way(eye_.starts[w.sample], w.direction, length(p - w.origin));
   v.sums = v.geometry / w.density * w.sums;
   v.outer = v.geometry / w.density * w.outer;
   v.previous = -w.direction;
-  v.tangent = surface.tangent;
-  v.previous_cosine_g = -dot(v.ng, w.direction);
-  v.previous_cosine_s = -dot(v.ns, w.direction);
   v.previous_reverse = 0;
   v.throughput = w.throughput;
-  v.reflectance = surface.reflectance;
-  v.material = surface.material;
   v.previous_index = w.vertex;
   v.previous_density = w.density;
+  v.interior = w.interior;
   v.count = w.count + 1;
-  v.joinable = !surface.material->is_specular();
   v.specular = false;
   v.direct = w.direct;
   v.start_hittable = w.start_hittable;
   v.start_finite = w.start_finite;
   v.group = w.group;
+  return &v;
+}
+
+// What a vertex needs that was just told what it lies on.
+void Block::weigh_vertex(const Walker& w, Vertex& v) {
   if (!w.eye && w.count == 1 && v.joinable) {
     const LightStart& y0 = light_.starts[w.sample];
     v.direct = engine_.direct_lighting.density(y0.y0, v.receiver()) / y0.density_position;
   }
   v.technique = technique(w, v);
-  (w.eye ? eye_.last : light_.last)[w.sample] = index;
-  arrivals_.push_back({index, w.sample, w.eye});
+}
+
+void Block::arrive_on(const Walker& w, const Hit& hit, const Surface& surface) {
+  const float cosine = absdot(surface.ng, w.direction);
+  const float geometry = w.infinite ? cosine : w.cosine * cosine / length_squared(surface.p - w.origin);
+  Vertex* const added = add_vertex(w, surface.p, geometry, false);
+  if (!added) return;
+  Vertex& v = *added;
+  v.margin = surface.margin;
+  v.ng = surface.ng;
+  v.ns = surface.ns;
+  v.tangent = surface.tangent;
+  v.previous_cosine_g = -dot(v.ng, w.direction);
+  v.previous_cosine_s = -dot(v.ns, w.direction);
+  v.reflectance = surface.reflectance;
+  v.material = surface.material;
+  v.medium = nullptr;
+  v.joinable = !surface.material->is_specular();
+  weigh_vertex(w, v);
 
   if (!w.eye && engine_.land) land(w, hit, v);
   if (w.eye && surface.light >= 0 && takes(0, v.count, w.sample)) {
@@ -145,7 +173,7 @@ void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
     const Rgb radiance = engine_.scene.lights().radiance(surface.light, v.ng, v.previous);
     if (!is_black(radiance)) hit_light(w, v, x0, radiance);
   }
-  if (v.count < w.most) continue_walk(w, v, index);
+  if (v.count < w.most) continue_walk(w, v);
 }
 
 void Block::see(const Walker& w, const Ray& ray, const Hit& hit) {
@@ -167,8 +195,9 @@ void Block::escape(const Walker& w) {
   x0.infinite = true;
   x0.normal = w.direction;
   Vertex z{};
-  z.geometry = w.cosine;  // a direction has no area: the edge's factor is the cosine at its other end
-  z.density = w.projected * z.geometry;
+  // A direction has no area: the edge's factor is the cosine at its other end.
+  z.geometry = w.cosine * w.passage.density_back(w.in_medium);
+  z.density = w.projected * w.cosine * w.passage.density_to(false);
   if (engine_.cross && w.count == 1) z.geometry *= along_way(eye_.starts[w.sample], w.direction, kInfinity);
   z.sums = w.count == 1 && !engine_.local ? 0 : z.geometry / w.density * w.sums;  // no (2,0): see hit_sensor
   z.previous = -w.direction;
@@ -217,6 +246,20 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
   const float density = w.projected * geometry;
   if (density > 0 && std::isfinite(density)) add_arrival(w, z0, geometry, density);
+}
+
+// The same where media count: tmax is where light scatters, at most.
+void Block::hit_sensor_in_media(const Walker& w, const Ray& ray, float tmax, const Medium* medium) {
+  const uint32_t s = w.count + 1;
+  if (w.infinite || !takes(s, 0, w.sample)) return;
+  SensorPoint z0;
+  if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
+  Walker at = w;
+  if (!end_passage(at, medium, length(z0.p - ray.origin), false)) return;
+  const float geometry = w.cosine * absdot(z0.normal, w.direction) / length_squared(z0.p - w.origin);
+  const float density = w.projected * geometry * at.passage.density_to(false);
+  if (density > 0 && std::isfinite(density))
+    add_arrival(at, z0, geometry * at.passage.density_back(w.in_medium), density);
 }
 
 // t = 0 in volumes: counted at one point of the way through each, if the light comes so far.
@@ -282,7 +325,7 @@ void Block::add_arrival(const Walker& w, const SensorPoint& z0, float geometry, 
             &z0, &from);
 }
 
-void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
+void Block::continue_walk(const Walker& w, Vertex& v) {
   const TransportMode mode = w.eye ? TransportMode::Radiance : TransportMode::Importance;
   const Four u = draw(w.eye, w.sample, v.count, Purpose::Scatter);
   const float gp = v.previous_cosine_g, sp = v.previous_cosine_s;
@@ -300,38 +343,50 @@ void Block::continue_walk(const Walker& w, Vertex& v, uint32_t index) {
   // Russian roulette by the local factor (10.3.3). Its probability is no part of the densities in the weights: it
   // depends on the vertex's number, which the other direction cannot know (10.3.6). Refraction changes radiance, not
   // energy: it is not punished.
-  if (v.count >= uint32_t(engine_.options.roulette_start)) {
-    constexpr float most = 0.95f;
-    const float q = gp * gn < 0 ? most : std::min(most, norm(b.weight));
-    if (u[3] >= q) return;
-    factor *= 1 / q;
-  }
+  if (!survives_roulette(v, gp * gn < 0 ? kMostLikely : norm(b.weight), u[3], factor)) return;
+  Interior interior = v.interior;
+  if (gp * gn < 0 && !Scene::enter_or_leave(interior, v.material->encloses, gp > 0)) return reject_walk(w);
+  v.specular = b.specular;
+  walk_on(w, v, next, factor, {b.density / std::fabs(gn), b.density_reverse / std::fabs(gp), std::fabs(gn)}, interior);
+}
 
+// The roulette of a vertex, by what it makes of light; the factor of a survivor grows.
+bool Block::survives_roulette(const Vertex& v, float local, float u, Rgb& factor) const {
+  if (v.count < uint32_t(engine_.options.roulette_start)) return true;
+  const float q = std::min(kMostLikely, local);
+  if (u >= q) return false;
+  factor *= 1 / q;
+  return true;
+}
+
+void Block::walk_on(const Walker& w, Vertex& v, const Vec3& next, const Rgb& factor, const Leaving& leaving,
+                    const Interior& interior) {
   Walker n;
   n.origin = v.p;
   n.normal = v.receiver().normal;
-  n.cosine = std::fabs(gn);
+  n.cosine = leaving.cosine;
   n.direction = next;
-  n.projected = b.density / std::fabs(gn);
+  n.projected = leaving.projected;
   n.throughput = w.throughput * factor;
   n.density = v.density;
-  const float reverse = b.density_reverse / std::fabs(gp);
-  v.specular = b.specular;
-  const float technique = b.specular ? 0 : v.technique;  // by a Dirac, no technique joins this vertex
-  n.sums = engine_.heuristic.combine(technique, reverse * v.sums);
-  n.outer = !w.eye && engine_.map ? engine_.heuristic.combine(v.count == 2 ? technique : 0, reverse * v.outer) : 0;
+  const float technique = v.specular ? 0 : v.technique;  // by a Dirac, no technique joins this vertex
+  n.sums = engine_.heuristic.combine(technique, leaving.reverse * v.sums);
+  n.outer =
+      !w.eye && engine_.map ? engine_.heuristic.combine(v.count == 2 ? technique : 0, leaving.reverse * v.outer) : 0;
   n.direct = v.direct;
-  n.vertex = index;
+  n.vertex = (w.eye ? eye_.last : light_.last)[w.sample];
   n.count = v.count;
   n.most = w.most;
   n.sample = w.sample;
   n.eye = w.eye;
-  n.specular = b.specular;
+  n.specular = v.specular;
   n.infinite = false;
   n.start_hittable = w.start_hittable;
   n.start_finite = w.start_finite;
   n.group = w.group;
-  v.previous_reverse = reverse * v.geometry;
+  n.in_medium = v.in_medium();
+  n.interior = interior;
+  v.previous_reverse = leaving.reverse * v.geometry;
   push_walker(next_walkers_, next_rays_, n, off_surface(v, next));
 }
 

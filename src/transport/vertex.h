@@ -16,18 +16,22 @@
 #include "light/lights.h"
 #include "material/material.h"
 #include "math/vec.h"
+#include "medium/medium.h"
+#include "scene/interiors.h"
 
 #include <cstdint>
 #include <limits>
 
 namespace bdpt {
 
-// A vertex on a surface: y_1, y_2, ... or z_1, z_2, ...; y_0 and a camera's z_0 live in LightStart and EyeStart alone.
+// A vertex on a surface or in a medium: y_1, y_2, ... or z_1, z_2, ...; y_0 and a camera's z_0 live in LightStart and
+// EyeStart alone. In a medium there is no normal: the cosines are 1, and densities are per volume.
 struct Vertex {
   Vec3 p;
   float density;           // P_A of this vertex, as its own side samples it
   Vec3 ng;                 // geometric normal, on the surface's front
-  float geometry;          // G(this <-> previous); of z_1, if z_0 is in a volume, over the chord's length there
+  float geometry;          // G(this <-> previous), times the density of coming so far from here; of z_1, if z_0 is in
+                           // a volume, over the chord's length there
   Vec3 ns;                 // shading normal
   float sums;              // v_i of mis.h
   Vec3 previous;           // unit direction toward the previous vertex
@@ -36,24 +40,31 @@ struct Vertex {
   float previous_reverse;  // P_A of the previous vertex, as the other side samples it coming from here
   Rgb throughput;          // alpha
   Rgb reflectance;
-  const Material* material;  // the scene's, or in the subpaths' store
-  uint32_t previous_index;  // in the block's vertices of this side; kNoVertex where the previous is none of them
-  float previous_density;   // P_A of the previous vertex, as its own side samples it
-  float outer;              // light side: v_i without the techniques that join inner vertices
-  float direct;             // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
-  float previous_cosine_g;  // of previous with ng
-  float previous_cosine_s;  // of previous with ns
-  uint32_t count;           // vertices of the subpath up to and with this one: s or t
-  float margin;             // see off_surface()
-  bool joinable;            // not all it scatters is a Dirac
-  bool specular;            // the subpath went on by a Dirac (10.3.5)
-  bool start_hittable;      // light side: eye subpaths can hit y_0
-  bool start_finite;        // light side: y_0 is a point
-  uint8_t group;            // light side: of y_0's light
+  const Material* material;  // the scene's, or in the subpaths' store; nullptr in a medium
+  const Medium* medium;      // where light scatters in one
+  Interior interior;         // what encloses the way to the previous vertex
+  uint32_t previous_index;   // in the block's vertices of this side; kNoVertex where the previous is none of them
+  float previous_density;    // P_A of the previous vertex, as its own side samples it
+  float outer;               // light side: v_i without the techniques that join inner vertices
+  float direct;              // light side: P_A^d(y_0) / P_A(y_0) for y_0 and y_1 of this subpath
+  float previous_cosine_g;   // of previous with ng
+  float previous_cosine_s;   // of previous with ns
+  uint32_t count;            // vertices of the subpath up to and with this one: s or t
+  float margin;              // see off_surface()
+  bool joinable;             // not all it scatters is a Dirac
+  bool specular;             // the subpath went on by a Dirac (10.3.5)
+  bool start_hittable;       // light side: eye subpaths can hit y_0
+  bool start_finite;         // light side: y_0 is a point
+  uint8_t group;             // light side: of y_0's light
 
   bool is_joinable() const { return joinable && !is_black(throughput); }
-  bool is_sensor() const { return !material; }  // z_0 of a local sensor
-  Receiver receiver() const { return {p, is_sensor() ? ng : material->transmits() ? Vec3(0) : ns}; }
+  bool is_sensor() const { return !material && !medium; }  // z_0 of a local sensor
+  bool in_medium() const { return medium != nullptr; }
+  Receiver receiver() const {
+    return {p, in_medium() || (material && material->transmits()) ? Vec3(0) : is_sensor() ? ng : ns};
+  }
+  // The cosine with the geometric normal.
+  float cosine(const Vec3& w) const { return in_medium() ? 1 : absdot(ng, w); }
 };
 
 inline constexpr uint32_t kNoVertex = ~0u;
@@ -69,6 +80,12 @@ struct Scattering {
 
 // False where nothing is scattered from one direction into the other.
 inline bool scatter(const Vertex& v, const Vec3& next, TransportMode mode, Scattering& out) {
+  if (v.in_medium()) {
+    const float phase = v.medium->phase(v.previous, next);
+    out.f = v.medium->sigma_s * phase;
+    out.next = out.previous = phase;
+    return true;
+  }
   const float gn = dot(v.ng, next), sn = dot(v.ns, next), gp = v.previous_cosine_g, sp = v.previous_cosine_s;
   if (!(gn * sn > 0) || !(gp * sp > 0)) return false;  // the two normals disagree about the side: light would leak
   float next_density, previous_density;
