@@ -239,6 +239,7 @@ typedef struct bdpt_texture_id { uint64_t id; } bdpt_texture_id;
 typedef struct bdpt_material_id { uint64_t id; } bdpt_material_id;
 typedef struct bdpt_light_id { uint64_t id; } bdpt_light_id;
 typedef struct bdpt_instance_id { uint64_t id; } bdpt_instance_id;
+typedef struct bdpt_medium_id { uint64_t id; } bdpt_medium_id;
 
 /* Creates an empty builder.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
@@ -346,11 +347,37 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bd
  * Callbacks: not for the builder in use. Ownership: the builder's copy ends. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_remove(bdpt_builder *builder, bdpt_texture_id texture);
 
+/* A homogeneous medium: what fills closed surfaces, or the whole scene. */
+typedef struct bdpt_medium_desc {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const char *label;
+  float sigma_a[3]; /* absorption coefficient, >= 0 [1 / world unit]: light falls by exp(-sigma_a d) */
+  float sigma_s[3]; /* scattering coefficient, >= 0 [1 / world unit] */
+  float g;          /* mean cosine of the angle by which light is turned, (-1,1), as Henyey and Greenstein (1941) have it */
+  uint32_t reserved2;
+} bdpt_medium_desc;
+
+/* Adds a medium.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies. Source: Pauly et al. (2000), distances by a channel that is
+ * chosen at random, each alike. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_medium_add(bdpt_builder *builder, const bdpt_medium_desc *desc, bdpt_medium_id *medium);
+/* Replaces a medium's description for scenes built from now on.
+ * Returns: as bdpt_medium_add, and BDPT_ERROR_INVALID_ID. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: copies. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_medium_update(bdpt_builder *builder, bdpt_medium_id medium, const bdpt_medium_desc *desc);
+/* Removes a medium that no material uses.
+ * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
+ * Callbacks: not for the builder in use. Ownership: none. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_medium_remove(bdpt_builder *builder, bdpt_medium_id medium);
+
 typedef int32_t bdpt_material_type;
 #define BDPT_MATERIAL_DIFFUSE 0    /* f = reflectance / pi */
 #define BDPT_MATERIAL_MIRROR 1     /* perfect reflection, times reflectance */
 #define BDPT_MATERIAL_CONDUCTOR 2  /* Fresnel reflection by a complex index; smooth, or GGX where roughness > 0 */
 #define BDPT_MATERIAL_DIELECTRIC 3 /* Fresnel reflection and refraction; smooth, or GGX where roughness > 0 */
+#define BDPT_MATERIAL_INTERFACE 4  /* the boundary of a medium, which nothing else shows: rays pass it, shadow rays too */
 
 typedef int32_t bdpt_slot;
 /* What a texture varies. Colours are multiplied by the texture's, numbers by one of its channels. */
@@ -414,6 +441,13 @@ typedef struct bdpt_material_desc {
   bdpt_opacity_mode opacity_mode;      /* rays of all kinds pass where the surface is not there. Not for what emits */
   float opacity;                       /* of mask and blend: [0,1] */
   float opacity_cutoff;                /* of mask: [0,1]; 0 = 0.5 */
+  bdpt_medium_id interior;             /* dielectric and interface: what fills the closed surface; zero = nothing */
+  uint32_t priority;                   /* of these: where several closed surfaces overlap, the one of highest priority is
+                                          what is there, and of equals the one that a ray entered last. The others are no
+                                          surfaces there; an index of refraction is relative to what is round it
+                                          (Schmidt and Budge 2002). At most four may overlap: walks into a fifth end, and
+                                          are counted as rejected */
+  uint32_t reserved;
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.
@@ -494,6 +528,9 @@ typedef struct bdpt_build_desc {
   bdpt_cancel *cancel;       /* may be NULL */
   bdpt_progress_fn progress; /* may be NULL */
   void *user;                /* for progress */
+  bdpt_medium_id medium;     /* what fills the scene outside of all that encloses something; zero = nothing. Not with
+                                lights that are infinitely far. Lights and cameras are in the medium of one point of
+                                theirs; of sensors that are no cameras z_0 counts as outside */
 } bdpt_build_desc;
 
 /* Builds an immutable scene from what the builder holds. The builder can go on and build others. desc may be NULL.

@@ -8,6 +8,7 @@
 #include "geometry/texture.h"
 #include "light/light_desc.h"
 #include "math/transform.h"
+#include "medium/medium.h"
 #include "scene/material_desc.h"
 
 #include <memory>
@@ -34,6 +35,12 @@ struct MaterialEntry {
   std::string label;
   MaterialDesc material;           // its textures are indices into the following until a scene is built
   std::vector<uint64_t> textures;  // ids
+  uint64_t medium = 0;             // of the interior: id, or zero
+  uint64_t users = 0;
+};
+
+struct MediumEntry {
+  std::shared_ptr<const Medium> medium;
   uint64_t users = 0;
 };
 
@@ -53,7 +60,8 @@ struct bdpt_builder {
         textures(bdpt::IdKind::Texture, "texture", tag),
         materials(bdpt::IdKind::Material, "material", tag),
         lights(bdpt::IdKind::Light, "light", tag),
-        instances(bdpt::IdKind::Instance, "instance", tag) {}
+        instances(bdpt::IdKind::Instance, "instance", tag),
+        media(bdpt::IdKind::Medium, "medium", tag) {}
 
   bdpt::Ref<bdpt_context> context;
   bdpt::Table<bdpt::ShapeEntry> shapes;
@@ -61,6 +69,7 @@ struct bdpt_builder {
   bdpt::Table<bdpt::MaterialEntry> materials;
   bdpt::Table<bdpt::LightDesc> lights;
   bdpt::Table<bdpt::InstanceEntry> instances;
+  bdpt::Table<bdpt::MediumEntry> media;
   bdpt::Busy busy;
 };
 

@@ -32,6 +32,7 @@ BDPT_VERSION_1_SIZE(bdpt_mesh_desc, 296);
 BDPT_VERSION_1_SIZE(bdpt_sphere_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_texture_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_texture_use, 72);
+BDPT_VERSION_1_SIZE(bdpt_medium_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_material_desc, 96);
 BDPT_VERSION_1_SIZE(bdpt_light_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_instance_desc, 80);

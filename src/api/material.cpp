@@ -11,7 +11,7 @@ constexpr float kDefaultIor = 1.5f;
 constexpr float kDefaultCutoff = 0.5f;
 
 void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
-  subject.check_enum("type", desc.type, BDPT_MATERIAL_DIELECTRIC);
+  subject.check_enum("type", desc.type, BDPT_MATERIAL_INTERFACE);
   subject.check_range("reflectance", desc.reflectance, 3, 0, 1);
   subject.check_flag("one_sided", desc.one_sided);
   subject.check_not_negative("eta", desc.eta, 3);
@@ -22,6 +22,7 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_flag("emission_two_sided", desc.emission_two_sided);
   subject.check_range("emission_group", desc.emission_group, 0, 63);
   subject.check_flag("perceptual_roughness", desc.perceptual_roughness);
+  subject.check_reserved("reserved", desc.reserved);
   subject.check_enum("opacity_mode", desc.opacity_mode, BDPT_OPACITY_BLEND);
   subject.check_range("opacity", &desc.opacity, 1, 0, 1);
   subject.check_range("opacity_cutoff", &desc.opacity_cutoff, 1, 0, 1);
@@ -30,6 +31,13 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
 // What only the type in question asks for.
 void check_type(const Subject& subject, const bdpt_material_desc& desc) {
   const bool dielectric = desc.type == BDPT_MATERIAL_DIELECTRIC, conductor = desc.type == BDPT_MATERIAL_CONDUCTOR;
+  const bool interface = desc.type == BDPT_MATERIAL_INTERFACE;
+  if (!dielectric && !interface && desc.interior.id != 0)
+    subject.refuse("interior", "is set, but no light passes the surface: set it to zero");
+  if (!dielectric && !interface && desc.priority != 0)
+    subject.refuse("priority", "is ", desc.priority, ", but no light passes the surface: set it to 0");
+  if (interface && desc.one_sided)
+    subject.refuse("one_sided", "is 1, but light passes through an interface: set it to 0");
   if (dielectric && desc.one_sided)
     subject.refuse("one_sided", "is 1, but light passes through a dielectric: set it to 0");
   if ((dielectric || conductor) && desc.reflectance_texture.id != 0)
@@ -74,16 +82,21 @@ MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& des
   m.emission_two_sided = desc.emission_two_sided != 0;
   m.emission_group = desc.emission_group;
   m.opacity = read_opacity(subject, desc);
+  m.priority = desc.priority;
+  if (desc.interior.id != 0) builder.media.at(desc.interior.id, "desc.interior");
+  entry.medium = desc.interior.id;
   read_texture_uses(builder, subject, desc, entry);
   return entry;
 }
 
-void use_textures(bdpt_builder& builder, const MaterialEntry& material) {
+void use_parts(bdpt_builder& builder, const MaterialEntry& material) {
   for (uint64_t id : material.textures) ++builder.textures[id].users;
+  if (material.medium) ++builder.media[material.medium].users;
 }
 
-void leave_textures(bdpt_builder& builder, const MaterialEntry& material) {
+void leave_parts(bdpt_builder& builder, const MaterialEntry& material) {
   for (uint64_t id : material.textures) --builder.textures[id].users;
+  if (material.medium) --builder.media[material.medium].users;
 }
 
 }  // namespace
@@ -95,7 +108,7 @@ bdpt_result bdpt_material_add(bdpt_builder* builder, const bdpt_material_desc* d
     const bdpt_material_desc d = read_struct(desc, "desc");
     require(material, "material");
     material->id = b.materials.add(read_material(b, d));
-    use_textures(b, b.materials[material->id]);
+    use_parts(b, b.materials[material->id]);
   });
 }
 
@@ -106,8 +119,8 @@ bdpt_result bdpt_material_update(bdpt_builder* builder, bdpt_material_id materia
     MaterialEntry& entry = b.materials.at(material.id, "material");
     MaterialEntry updated = read_material(b, d);
     updated.users = entry.users;
-    use_textures(b, updated);
-    leave_textures(b, entry);
+    use_parts(b, updated);
+    leave_parts(b, entry);
     entry = std::move(updated);
   });
 }
@@ -117,7 +130,7 @@ bdpt_result bdpt_material_remove(bdpt_builder* builder, bdpt_material_id materia
     bdpt_builder& b = writable(builder);
     const MaterialEntry& entry = b.materials.at(material.id, "material");
     check_unused(entry.users, "material", entry.label, "instance");
-    leave_textures(b, entry);
+    leave_parts(b, entry);
     b.materials.take(material.id);
   });
 }

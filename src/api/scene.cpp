@@ -16,7 +16,8 @@ class Collector {
  public:
   explicit Collector(const bdpt_builder& builder) : builder_(builder) {}
 
-  SceneDesc collect() {
+  SceneDesc collect(bdpt_medium_id outside) {
+    if (outside.id != 0) desc_.outside = medium(outside.id);
     desc_.instances.reserve(builder_.instances.size());
     for (const auto& [id, instance] : builder_.instances)
       desc_.instances.push_back({instance.label, shape(instance.shape), material(instance.material), instance.transform,
@@ -42,6 +43,9 @@ class Collector {
   int texture(uint64_t id) {
     return index(textures_, id, [&] { desc_.textures.push_back(builder_.textures[id].texture); });
   }
+  int medium(uint64_t id) {
+    return index(media_, id, [&] { desc_.media.push_back(builder_.media[id].medium); });
+  }
   int material(uint64_t id) {
     return index(materials_, id, [&] {
       const MaterialEntry& entry = builder_.materials[id];
@@ -50,12 +54,13 @@ class Collector {
       const auto resolve = [&](int& number) { number = texture(entry.textures[size_t(number)]); };
       for (TextureUse& use : desc.textures) resolve(use.texture);
       if (desc.opacity.texture >= 0) resolve(desc.opacity.texture);
+      if (entry.medium) desc.interior = medium(entry.medium);
     });
   }
 
   const bdpt_builder& builder_;
   SceneDesc desc_;
-  std::unordered_map<uint64_t, int> shapes_, textures_, materials_;
+  std::unordered_map<uint64_t, int> shapes_, textures_, materials_, media_;
 };
 
 void check_contents(const bdpt_builder& builder) {
@@ -160,7 +165,8 @@ bdpt_result bdpt_scene_build(bdpt_builder* builder, const bdpt_build_desc* desc,
     check_contents(b);
     const Busy::Mark mark(b.busy);
     const Ref<bdpt_cancel> cancel(d.cancel);  // the host's callbacks may release theirs
-    SceneDesc contents = Collector(b).collect();
+    if (d.medium.id != 0) b.media.at(d.medium.id, "desc.medium");
+    SceneDesc contents = Collector(b).collect(d.medium);
     const LightCount lights(contents);
     auto object = std::make_unique<bdpt_scene>();
     object->context = b.context;

@@ -9,7 +9,7 @@
 
 namespace bdpt {
 
-enum class IdKind : uint64_t { Shape = 1, Texture, Material, Light, Instance };
+enum class IdKind : uint64_t { Shape = 1, Texture, Material, Light, Instance, Medium };
 
 // Ids are 3 bits of kind, 25 of the builder's tag and 36 of a serial number that is never used again, so that an id of
 // another kind, of another builder, or of an object that was removed is told for what it is.
