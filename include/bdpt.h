@@ -238,7 +238,8 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_color_get_info(const bdpt_context *context,
  * Ownership: writes rgb. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_color_convert(const bdpt_context *context, const char *from, const char *to, float *rgb, uint64_t count);
 
-/* The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec. 709. White stays white (Bradford).
+/* The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec. 709. White stays white (Bradford);
+ * CIE XYZ themselves, red (1,0), green (0,1), blue (0,0), white (1/3,1/3), are taken as seen at D65.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for primaries on a line, or white outside of them). Threads: any thread.
  * Callbacks: allowed. Ownership: writes rgb. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_color_convert_chromaticities(const bdpt_chromaticities *from, const bdpt_chromaticities *to, float *rgb, uint64_t count);
@@ -386,11 +387,16 @@ typedef struct bdpt_texture_desc {
   bdpt_encoding encoding;
   uint32_t mip_levels;    /* at most so many, the image being one; each halves the one before. 0 = 1 */
   uint32_t reserved;
+  const char *color_space; /* of the texels, but for alpha, instead of encoding, which must then be 0: they are converted
+                              to the rendering space and kept as floats. NULL: by encoding; SRGB of three colours is then
+                              "sRGB - Texture", LINEAR is left alone: numbers of the rendering space, or data */
 } bdpt_texture_desc;
 
-/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use).
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite or negative), _MEMORY_LIMIT,
- * _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies. */
+/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use). Colours outside of the rendering
+ * space become negative in some channel when they are converted, and then 0; the log tells of how many.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite, or negative where no color_space is given,
+ * for a space that is unknown, and for grey that it makes a colour), _IO (a table of the configuration is missing),
+ * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
 /* Removes a texture that no material uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.

@@ -94,6 +94,13 @@ TEST(Primaries, AdaptByBradford) {
                 {{0.6274, 0.3293, 0.0433}, {0.0691, 0.9195, 0.0114}, {0.0164, 0.0880, 0.8956}}, 1e-4);
 }
 
+// In ASWF's openexr-images, Chromaticities/XYZ.exr is Rec709.exr times this, and not adapted.
+TEST(Primaries, OfXyzAreSeenAtD65) {
+  const Primaries xyz{{1, 0}, {0, 1}, {0, 0}, {1 / 3.0f, 1 / 3.0f}};
+  EXPECT_TRUE(conversion(kRec709, xyz).equalWithAbsError(to_xyz(kRec709), 1e-6));
+  EXPECT_TRUE(conversion(kAp1, xyz).equalWithAbsError(conversion(kAp1, kRec709) * to_xyz(kRec709), 1e-6));
+}
+
 TEST(Primaries, ComeBackFromTheirMatrix) {
   for (const Primaries& p : {kRec709, kRec2020, kP3D65, kAp0, kAp1}) {
     const Primaries back = primaries_of(to_xyz(p));
@@ -369,8 +376,30 @@ TEST_P(AcesConfig, RefusesWhatIsNotLinear) {
   expect_error(ErrorCode::InvalidArgument, {"'sRGB - Texture'", "not linear"},
                [&] { ColorSpaces(path_, "sRGB - Texture"); });
   expect_error(ErrorCode::InvalidArgument, {"'Raw'", "data"}, [&] { ColorSpaces(path_, "Raw"); });
-  expect_error(ErrorCode::InvalidArgument, {"'ACESct'", "did you mean 'ACEScct'"},
+  expect_error(ErrorCode::InvalidArgument, {"'ACESct'", "did you mean", "'ACEScct'"},
                [&] { ColorSpaces(path_).convert("ACESct", "", nullptr, 0); });
+}
+
+// A space of the configuration's alone has primaries that lead to it as its own transform does.
+TEST(StudioConfig, RendersInTheSpaceOfACamera) {
+  const std::string path = public_config("studio-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio");
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+  for (const char* name : {"Linear ARRI Wide Gamut 3", "Linear S-Gamut3", "Linear V-Gamut"}) {
+    const ColorSpaces spaces(path, name);
+    EXPECT_NEAR(0.3127f, spaces.primaries().white[0], 1e-4f) << name;
+    for (const Color& color : kColors) {
+      Color by_primaries = color;
+      convert_primaries(kAp1, spaces.primaries(), by_primaries.data(), 1);
+      expect_near(convert(spaces, "ACEScg", "", color), by_primaries, 2e-4f, name);
+    }
+  }
+}
+
+TEST(DemoConfig, RendersInItsSceneLinear) {
+  const std::string path = public_config("ocio-v2_demo.ocio");
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+  const ColorSpaces spaces(path, "scene_linear");
+  expect_near({0.5f, 0.5f, 0.5f}, convert(spaces, "lin_rec709", "", {0.5f, 0.5f, 0.5f}), 1e-4f);
 }
 
 INSTANTIATE_TEST_SUITE_P(, AcesConfig,

@@ -88,6 +88,7 @@ struct ColorSpaces::Impl {
   std::string rendering_space = kLinearRec709;
   Space rendering{{}, find_standard_space(kLinearRec709)};
   Primaries primaries = kRec709;
+  bool is_standard = true;  // a linear standard space, by name or by its matrix
   mutable std::mutex mutex;
   mutable std::map<std::pair<std::string, std::string>, std::shared_ptr<const Conversion>> conversions;
 
@@ -171,9 +172,10 @@ struct ColorSpaces::Impl {
   }
 
   // The published primaries where the matrix is theirs; else those seen at the white of D65.
-  static Primaries primaries_by(const ColorMatrix& matrix, const Primaries& join) {
+  Primaries primaries_by(const ColorMatrix& matrix, const Primaries& join) {
     for (const StandardSpace& space : standard_spaces())
       if (space.curve == Curve::Linear && same(matrix, conversion(space.primaries, join))) return space.primaries;
+    is_standard = false;
     return primaries_of(matrix * conversion(join, kRec709) * to_xyz(kRec709));
   }
 };
@@ -196,6 +198,7 @@ bool ColorSpaces::is_identity(const std::string& from, const std::string& to) co
 }
 
 const std::string& ColorSpaces::rendering_space() const { return impl_->rendering_space; }
+bool ColorSpaces::renders_in_rec709() const { return impl_->is_standard && impl_->primaries == kRec709; }
 const Primaries& ColorSpaces::primaries() const { return impl_->primaries; }
 const Config* ColorSpaces::config() const { return impl_->config.get(); }
 

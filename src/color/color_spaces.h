@@ -27,6 +27,7 @@ class ColorSpaces {
   bool is_identity(const std::string& from, const std::string& to) const;
 
   const std::string& rendering_space() const;  // its name
+  bool renders_in_rec709() const;              // linear Rec. 709, by name or by its matrix
   const Primaries& primaries() const;          // of the rendering space
   const Config* config() const;                // or NULL
 

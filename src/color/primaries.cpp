@@ -14,6 +14,17 @@ V3d xyz(const std::array<float, 2>& xy) { return {xy[0], xy[1], 1.0 - xy[0] - xy
 
 V3d white_of(const Primaries& primaries) { return xyz(primaries.white) / double(primaries.white[1]); }
 
+// Whether the channels are X, Y and Z themselves, to the digits that files have.
+bool is_xyz(const Primaries& p) {
+  const auto near = [](const std::array<float, 2>& xy, float x, float y) {
+    return std::abs(xy[0] - x) < 1e-4f && std::abs(xy[1] - y) < 1e-4f;
+  };
+  return near(p.red, 1, 0) && near(p.green, 0, 1) && near(p.blue, 0, 0) && near(p.white, 1 / 3.0f, 1 / 3.0f);
+}
+
+// What the eye is adapted to. Equal X, Y and Z are no white that anybody looks at: files of XYZ are seen at D65.
+V3d adapted_white(const Primaries& primaries) { return white_of(is_xyz(primaries) ? kRec709 : primaries); }
+
 ColorMatrix rows(const V3d& a, const V3d& b, const V3d& c) { return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z}; }
 
 ColorMatrix diagonal(const V3d& v) { return {v.x, 0, 0, 0, v.y, 0, 0, 0, v.z}; }
@@ -47,7 +58,7 @@ ColorMatrix to_xyz(const Primaries& primaries) {
 
 ColorMatrix conversion(const Primaries& from, const Primaries& to) {
   if (from == to) return {};
-  return to_xyz(from) * adaptation(white_of(from), white_of(to)) * to_xyz(to).inverse();
+  return to_xyz(from) * adaptation(adapted_white(from), adapted_white(to)) * to_xyz(to).inverse();
 }
 
 Primaries primaries_of(const ColorMatrix& to_xyz) {

@@ -30,7 +30,8 @@ using ColorMatrix = Imath::M33d;
 // Errors: InvalidArgument, where the primaries span no colours or white is none of their mixtures.
 ColorMatrix to_xyz(const Primaries& primaries);
 
-// From one space to the other; white stays white, by Bradford's adaptation.
+// From one space to the other; white stays white, by Bradford's adaptation. CIE XYZ (with the white 1/3, 1/3) are not
+// adapted, but taken as seen at D65.
 ColorMatrix conversion(const Primaries& from, const Primaries& to);
 
 // The primaries and white of a space with this matrix to XYZ.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr StandardSpace kSpaces[] = {
     {{kLinearRec709, "lin_rec709", "lin_rec709_srgb", "lin_srgb", "Utility - Linear - sRGB"}, kRec709},
-    {{"sRGB - Texture", "srgb_texture", "srgb_tx", "sRGB", "Utility - sRGB - Texture"}, kRec709, Curve::Srgb},
+    {{kSrgbTexture, "srgb_texture", "srgb_tx", "sRGB", "Utility - sRGB - Texture"}, kRec709, Curve::Srgb},
     {{"ACEScg", "lin_ap1", "ACES - ACEScg"}, kAp1},
     {{kAces2065, "lin_ap0", "aces", "ACES - ACES2065-1"}, kAp0},
     {{"Linear Rec.2020", "lin_rec2020", "Utility - Linear - Rec.2020"}, kRec2020},

@@ -24,6 +24,7 @@ struct StandardSpace {
 
 std::span<const StandardSpace> standard_spaces();
 inline constexpr const char* kLinearRec709 = "Linear Rec.709 (sRGB)";
+inline constexpr const char* kSrgbTexture = "sRGB - Texture";
 inline constexpr const char* kAces2065 = "ACES2065-1";
 
 // In any case of letters; NULL if there is none.
