@@ -165,7 +165,7 @@ typedef struct bdpt_context_desc {
   uint64_t memory_limit;         /* bytes for scenes, films and blocks together; 0 = none */
   bdpt_isa isa;                  /* of the ray queries */
   uint32_t reserved;
-  const char *color_config;      /* path of an OpenColorIO configuration; NULL = the standard spaces alone. See Colour */
+  const char *color_config;      /* path of an OpenColorIO configuration; NULL = none. See Colour below */
   const char *rendering_space;   /* a linear colour space; NULL = linear Rec. 709 */
 } bdpt_context_desc;
 
@@ -199,7 +199,7 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_context_get_info(const bdpt_context *contex
  * Colour
  *
  * A context has one rendering space: a linear RGB space, linear Rec. 709 unless another is named. All colours of
- * materials, lights and films are numbers in it, but textures, which may name their own space. White is (1, 1, 1) in all.
+ * materials, lights and films are numbers in it; textures may name a space of their own. White is (1, 1, 1) in all.
  * Spaces have names. These need no configuration, in any case of letters; in brackets other names for them:
  *   "Linear Rec.709 (sRGB)" (lin_rec709, lin_srgb)   "sRGB - Texture" (srgb_texture, sRGB)   "ACEScg" (lin_ap1)
  *   "ACES2065-1" (lin_ap0)   "Linear Rec.2020" (lin_rec2020)   "Linear P3-D65" (lin_p3d65)   "Raw" (data): no colours,
@@ -231,15 +231,15 @@ typedef struct bdpt_color_info {
 BDPT_API BDPT_CHECK bdpt_result bdpt_color_get_info(const bdpt_context *context, bdpt_color_info *info);
 
 /* Converts count colours of 3 floats, packed, in place. from and to are names of spaces; NULL = the rendering space.
- * Colours that the target's primaries cannot mix become negative in some channel: nothing is clipped. A value that is not
- * finite spoils its colour alone.
+ * Colours that the target's primaries cannot mix become negative in some channel: nothing is clipped. A value that is
+ * not finite spoils its colour alone.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a name that is unknown, and where nothing leads from one space to the
  * other), _IO (a table of the configuration is missing), _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: writes rgb. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_color_convert(const bdpt_context *context, const char *from, const char *to, float *rgb, uint64_t count);
 
-/* The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec. 709. White stays white (Bradford);
- * CIE XYZ themselves, red (1,0), green (0,1), blue (0,0), white (1/3,1/3), are taken as seen at D65.
+/* The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec. 709. White stays white
+ * (Bradford); CIE XYZ themselves, red (1,0), green (0,1), blue (0,0), white (1/3,1/3), are taken as seen at D65.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for primaries on a line, or white outside of them). Threads: any thread.
  * Callbacks: allowed. Ownership: writes rgb. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_color_convert_chromaticities(const bdpt_chromaticities *from, const bdpt_chromaticities *to, float *rgb, uint64_t count);

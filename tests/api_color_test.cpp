@@ -161,7 +161,7 @@ TEST(ApiColor, AViewOfTheContextsConfiguration) {
   bdpt_display_desc desc = make<bdpt_display_desc>();
   desc.view = BDPT_VIEW_OCIO;
   desc.context = context.get();
-  desc.ocio_view = "Hlaf";
+  desc.ocio_view = "Hlf";
   Color pixel = color;
   EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_image_display(&desc, pixel.data(), 1, 1));
   expect_text("did you mean 'Half'");

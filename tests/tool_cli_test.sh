@@ -124,6 +124,7 @@ expect 0 '' render box.pbrt -o acescg.exr --spp 4 --working-space acescg --png a
 expect 0 '' compare acescg.exr full.exr
 expect 0 '' resolve acescg.film -o again.exr --working-space acescg
 cmp -s acescg.exr again.exr || fail "the film's picture in its space differs"
+expect 5 '^bdpt: ' merge acescg.film full.film -o never.film
 expect 0 '' render box.pbrt -o u.exr --spp 1 --config user.ocio --working-space ap0 --view Half --png half.png
 expect 0 '' render box.pbrt -o u.exr --spp 1 --config user.ocio --working-space ap0 --display Wall --png wall.png
 cmp -s half.png wall.png || fail "the view of a display differs"
