@@ -392,11 +392,12 @@ typedef struct bdpt_texture_desc {
                               "sRGB - Texture", LINEAR is left alone: numbers of the rendering space, or data */
 } bdpt_texture_desc;
 
-/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use). Colours outside of the rendering
- * space become negative in some channel when they are converted, and then 0; the log tells of how many.
+/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use). Colours that are outside of the
+ * rendering space have a negative channel when they are converted, which becomes 0; the log tells of how many.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite, or negative where no color_space is given,
  * for a space that is unknown, and for grey that it makes a colour), _IO (a table of the configuration is missing),
- * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies. */
+ * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
+ * Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
 /* Removes a texture that no material uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
@@ -1558,8 +1559,8 @@ typedef struct bdpt_display_desc {
 
 /* Turns linear pixels (3 floats each, packed) into display values in [0,1], in place, by OpenColorIO. What is not a
  * number counts as 0. desc may be NULL for sRGB.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration, or a
- * table of it is missing), _FORMAT (a damaged one).
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration, or
+ * a table of it is missing), _FORMAT (a damaged one).
  * Threads: any thread. Callbacks: allowed. Ownership: writes pixels. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_image_display(const bdpt_display_desc *desc, float *pixels, uint32_t width, uint32_t height);
 

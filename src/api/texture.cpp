@@ -163,8 +163,9 @@ TextureImage TextureReader::converted_image(float& maximum) const {
   constexpr float kRounding = 1e-5f, kGrey = 1e-3f;
   const std::string space = desc_.color_space ? desc_.color_space : kSrgbTexture;
   const uint32_t channels = desc_.channels, colors = channels < 3 ? 1 : 3;
-  std::vector<float> row_colors(uint64_t(3) * desc_.width), texels;
-  texels.reserve(uint64_t(desc_.width) * desc_.height * channels);
+  TextureImage image{subject_.label(), desc_.width, desc_.height, channels, TexelFormat::Float, false, {}};
+  image.texels.reserve(uint64_t(desc_.width) * desc_.height * channels * sizeof(float));
+  std::vector<float> row_colors(uint64_t(3) * desc_.width);
   uint64_t outside = 0;
   float lowest = 0;
   for (uint32_t y = 0; y < desc_.height; ++y) {
@@ -189,16 +190,14 @@ TextureImage TextureReader::converted_image(float& maximum) const {
         lowest = std::min(lowest, v);
         v = v > 1 && v < 1 + kRounding ? 1 : std::max(v, 0.0f);
         maximum = std::max(maximum, v);
-        texels.push_back(v);
+        const auto* bytes = reinterpret_cast<const std::byte*>(&v);
+        image.texels.insert(image.texels.end(), bytes, bytes + sizeof v);
       }
     }
   }
   if (outside > 0)
     context_.log->warning(subject_.name(), ": ", outside,
                           " values lie outside of the rendering space and become 0, the lowest is ", lowest);
-  TextureImage image{subject_.label(), desc_.width, desc_.height, channels, TexelFormat::Float, false, {}};
-  const auto* bytes = reinterpret_cast<const std::byte*>(texels.data());
-  image.texels.assign(bytes, bytes + texels.size() * sizeof(float));
   return image;
 }
 
