@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace bdpt_api {
@@ -102,6 +103,63 @@ TEST(ApiColor, ConfigurationsThatCannotBeReadAreTold) {
   std::ofstream(folder.file("bad.ocio")) << "ocio_profile_version: [[";
   EXPECT_EQ(BDPT_ERROR_FORMAT, try_context(folder.file("bad.ocio").c_str(), nullptr));
   expect_text("bad.ocio");
+}
+
+// What a texture's texels became is seen by the material that refuses them for reflecting too much.
+void expect_largest(const Context& context, bdpt_texture_desc desc, const char* largest) {
+  const Builder builder = make_builder(context.get());
+  desc.width = desc.height = 1;
+  bdpt_texture_id texture{};
+  ASSERT_OK(bdpt_texture_add(builder.get(), &desc, &texture));
+  bdpt_material_desc material = grey_desc();
+  material.reflectance_texture = texture;
+  bdpt_material_id id{};
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_material_add(builder.get(), &material, &id));
+  expect_text(largest);
+}
+
+TEST(ApiColor, TexturesOfAllFormatsAreConverted) {
+  const Context context = context_in(nullptr, nullptr);
+  const uint8_t bytes[4] = {0, 255, 0, 128};
+  const uint16_t words[4] = {0, 65535, 0, 32768}, halves[4] = {0, 0x3C00, 0, 0x3800};
+  const float floats[4] = {0, 1, 0, 0.5f};
+  const std::pair<bdpt_texel, const void*> formats[] = {
+      {BDPT_TEXEL_UINT8, bytes}, {BDPT_TEXEL_UINT16, words}, {BDPT_TEXEL_HALF, halves}, {BDPT_TEXEL_FLOAT, floats}};
+  for (const auto& [texel, pixels] : formats)
+    for (const uint32_t channels : {3u, 4u}) {
+      bdpt_texture_desc desc = make<bdpt_texture_desc>();
+      desc.channels = channels, desc.texel = texel, desc.pixels = pixels;
+      desc.color_space = "ACEScg";
+      expect_largest(context, desc, "1.1408");  // AP1's green in Rec. 709
+    }
+}
+
+TEST(ApiColor, TexturesThatCannotBeConvertedAreRefused) {
+  const Context context = context_in(nullptr, nullptr);
+  const Builder builder = make_builder(context.get());
+  float pixels[4] = {0.5f, 0.5f, 0.5f, 1};
+  const auto add = [&](const std::function<void(bdpt_texture_desc&)>& change) {
+    bdpt_texture_desc desc = make<bdpt_texture_desc>();
+    desc.channels = 4, desc.width = desc.height = 1, desc.texel = BDPT_TEXEL_FLOAT, desc.pixels = pixels;
+    desc.color_space = "ACEScg";
+    change(desc);
+    bdpt_texture_id texture{};
+    return bdpt_texture_add(builder.get(), &desc, &texture);
+  };
+  EXPECT_OK(add([](auto&) {}));
+  EXPECT_OK(add([](auto& d) { d.channels = 1; }));
+  EXPECT_OK(add([](auto& d) { d.channels = 2; }));
+  EXPECT_OK(add([](auto& d) { d.mip_levels = 4; }));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, add([](auto& d) { d.color_space = "ACESgc"; }));
+  expect_text("did you mean 'ACEScg'");
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, add([](auto& d) { d.encoding = BDPT_ENCODING_LINEAR; }));
+  expect_text("leave it 0");
+  pixels[3] = -1;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, add([](auto&) {}));
+  expect_text("alpha -1");
+  pixels[3] = 1, pixels[1] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, add([](auto&) {}));
+  expect_text("inf");
 }
 
 // Executor and log are the library's to drop, once, also where the colours are refused.

@@ -87,12 +87,10 @@ double difference(const Image& a, const Image& b) {
   return largest / top;
 }
 
-// A product of colours g(1 + a) and h(1 + b) is gh(1 + a + b + ab): what is linear in the deviations a and b from grey
-// is the same in all spaces with one white, so that spaces differ by products of two deviations. With at most a tenth
-// each, and three factors (light, two reflectances), these are three products of 0.01: 3 %; twice that with the entries
-// of the matrices. The wide spaces put 709's deviations closer to grey, so the bound is not reached. Colours that are
-// not converted are wrong by the deviations themselves times what the matrix changes, and a half of 0.1 and more: above
-// it.
+// A product of colours g(1 + a) and h(1 + b) is gh(1 + a + b + ab). What is linear in the deviations a and b from grey
+// is the same in all spaces with one white, so that spaces differ by products of two deviations. With a tenth each and
+// three factors (the light and two reflectances) these are three times 0.01 at most. Colours that are not converted are
+// wrong by the deviations themselves.
 constexpr double kSecondOrder = 0.03;
 
 TEST_F(ToolColor, FaintColoursLookAlikeInAllRenderingSpaces) {

@@ -77,6 +77,7 @@ class TextureReader {
   void check_layout() const;
   float check_values() const;
   TextureImage image() const;
+  void convert_row(uint32_t y, std::vector<float>& colors) const;
   TextureImage converted_image(float& maximum) const;
 
   Subject subject_;
@@ -157,42 +158,54 @@ TextureImage TextureReader::image() const {
   return image;
 }
 
-// In the rendering space; maximum becomes that of all channels.
-TextureImage TextureReader::converted_image(float& maximum) const {
-  // Of matrices and tables: no more than this is their rounding.
-  constexpr float kRounding = 1e-5f, kGrey = 1e-3f;
+// Three channels of a row in the rendering space, whatever their number in the texture.
+void TextureReader::convert_row(uint32_t y, std::vector<float>& colors) const {
   const std::string space = desc_.color_space ? desc_.color_space : kSrgbTexture;
-  const uint32_t channels = desc_.channels, colors = channels < 3 ? 1 : 3;
+  const uint32_t last = desc_.channels < 3 ? 0 : 2;
+  colors.clear();
+  for (uint32_t x = 0; x < desc_.width; ++x)
+    for (uint32_t c = 0; c < 3; ++c) {
+      colors.push_back(value(row(y), uint64_t(x) * desc_.channels + std::min(c, last)));
+      if (!std::isfinite(colors.back()))
+        subject_.refuse("pixels", "has the value ", colors.back(), " at (", x, ", ", y, "): give finite values");
+    }
+  context_.colors->convert(space, {}, colors.data(), desc_.width);
+  constexpr float kGrey = 1e-3f;
+  for (uint32_t x = 0; x < desc_.width; ++x) {
+    const float* v = &colors[uint64_t(3) * x];
+    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
+      subject_.refuse("color_space", "\"", space, "\" has no colour for the texel at (", x, ", ", y, ")");
+    if (last == 0 && std::abs(v[0] - v[2]) > kGrey * std::abs(v[1]))
+      subject_.refuse("color_space", "\"", space, "\" makes grey a colour: give three channels");
+  }
+}
+
+// maximum becomes that of all channels.
+TextureImage TextureReader::converted_image(float& maximum) const {
+  constexpr float kRounding = 1e-5f;  // of matrices and tables
+  const uint32_t channels = desc_.channels, color_channels = channels < 3 ? 1 : 3;
   TextureImage image{subject_.label(), desc_.width, desc_.height, channels, TexelFormat::Float, false, {}};
   image.texels.reserve(uint64_t(desc_.width) * desc_.height * channels * sizeof(float));
-  std::vector<float> row_colors(uint64_t(3) * desc_.width);
   uint64_t outside = 0;
   float lowest = 0;
+  const auto keep = [&](float v) {
+    outside += v < -kRounding;
+    lowest = std::min(lowest, v);
+    v = v > 1 && v < 1 + kRounding ? 1 : std::max(v, 0.0f);
+    maximum = std::max(maximum, v);
+    const auto* bytes = reinterpret_cast<const std::byte*>(&v);
+    image.texels.insert(image.texels.end(), bytes, bytes + sizeof v);
+  };
+  std::vector<float> colors;
   for (uint32_t y = 0; y < desc_.height; ++y) {
-    const auto raw = [&](uint32_t x, uint32_t c) {
-      const float v = value(row(y), uint64_t(x) * channels + c);
-      if (!std::isfinite(v) || (c >= colors && v < 0))
-        subject_.refuse("pixels", "has the value ", v, " at (", x, ", ", y,
-                        "): give finite values, and no alpha below 0");
-      return v;
-    };
-    for (uint32_t x = 0; x < desc_.width; ++x)
-      for (uint32_t c = 0; c < 3; ++c) row_colors[uint64_t(3) * x + c] = raw(x, std::min(c, colors - 1));
-    context_.colors->convert(space, {}, row_colors.data(), desc_.width);
+    convert_row(y, colors);
     for (uint32_t x = 0; x < desc_.width; ++x) {
-      const float* color = &row_colors[uint64_t(3) * x];
-      if (colors == 1 && std::abs(color[0] - color[2]) > kGrey * std::abs(color[1]))
-        subject_.refuse("color_space", "\"", space, "\" makes grey a colour: give three channels");
-      for (uint32_t c = 0; c < channels; ++c) {
-        float v = c < colors ? color[c] : raw(x, c);
-        if (!std::isfinite(v)) subject_.refuse("color_space", "\"", space, "\" has no colour at (", x, ", ", y, ")");
-        outside += v < -kRounding;
-        lowest = std::min(lowest, v);
-        v = v > 1 && v < 1 + kRounding ? 1 : std::max(v, 0.0f);
-        maximum = std::max(maximum, v);
-        const auto* bytes = reinterpret_cast<const std::byte*>(&v);
-        image.texels.insert(image.texels.end(), bytes, bytes + sizeof v);
-      }
+      for (uint32_t c = 0; c < color_channels; ++c) keep(colors[uint64_t(3) * x + c]);
+      if (color_channels == channels) continue;
+      const float alpha = value(row(y), uint64_t(x) * channels + color_channels);
+      if (!(alpha >= 0) || !std::isfinite(alpha))
+        subject_.refuse("pixels", "has the alpha ", alpha, " at (", x, ", ", y, "): give finite values of at least 0");
+      keep(alpha);
     }
   }
   if (outside > 0)
