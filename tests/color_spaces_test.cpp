@@ -194,6 +194,7 @@ TEST(ColorSpaces, AnUnknownNameBringsCloseOnes) {
   unknown("ACESgc", "did you mean 'ACEScg'");
   unknown("linear rec709", "did you mean 'Linear Rec.709 (sRGB)'");
   unknown("lin rec 2020", "'Linear Rec.2020'");
+  unknown("Linear", "did you mean 'Linear P3-D65', 'Linear Rec.2020' or 'Linear Rec.709 (sRGB)'?");
   unknown("no such thing", "there are 'Linear Rec.709 (sRGB)', 'sRGB - Texture'");
   expect_error(ErrorCode::InvalidArgument, {"ACEScgg", "did you mean 'ACEScg'"}, [] { ColorSpaces({}, "ACEScgg"); });
 }

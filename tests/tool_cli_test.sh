@@ -135,7 +135,8 @@ expect 2 '^bdpt: --display goes with' render box.pbrt -o u.exr --config user.oci
 expect 3 "^bdpt: .*did you mean 'ACEScg'" render box.pbrt -o u.exr --working-space ACESgc
 expect 3 "^bdpt: .*'log' is not linear" render box.pbrt -o u.exr --config user.ocio --working-space log
 expect 3 '^bdpt: .*no.ocio' render box.pbrt -o u.exr --config no.ocio
-expect 3 "^bdpt: .*did you mean 'Half'" render box.pbrt -o u.exr --spp 1 --config user.ocio --view Hlf --png u.png
+expect 3 "^bdpt: .*did you mean 'Half'" render box.pbrt -o never.exr --spp 1 --config user.ocio --view Hlf --png u.png
+[ ! -e never.exr ] || fail "it rendered before it looked at the view"
 unset OCIO
 
 # Every integrator by name; what does not fit is told, and what fits is another picture of the same thing.

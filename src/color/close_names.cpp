@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -31,12 +32,15 @@ size_t distance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-// Whether a third of the letters differs at most, or one name is a part of the other; the less alike, the larger rank.
-bool is_close(const std::string& a, const std::string& b, size_t& rank) {
-  if (a.empty() || b.empty()) return false;
-  const bool part = std::min(a.size(), b.size()) >= 3 && (a.find(b) != a.npos || b.find(a) != b.npos);
-  rank = part ? 0 : distance(a, b);
-  return 3 * rank <= std::max(a.size(), b.size());
+// How little two names are alike; none where more than a third of the letters differ. A name that is a part of the
+// other is closer than any misspelling, and the closer the less there is besides it.
+using Rank = std::pair<size_t, size_t>;
+std::optional<Rank> rank(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty()) return {};
+  const size_t longer = std::max(a.size(), b.size()), shorter = std::min(a.size(), b.size());
+  if (shorter >= 3 && (a.find(b) != a.npos || b.find(a) != b.npos)) return Rank{0, longer - shorter};
+  const size_t letters = distance(a, b);
+  return 3 * letters <= longer ? std::optional(Rank{letters, 0}) : std::nullopt;
 }
 
 void list(std::ostream& out, const std::vector<std::string>& names, size_t count, const char* last) {
@@ -46,10 +50,9 @@ void list(std::ostream& out, const std::vector<std::string>& names, size_t count
 }  // namespace
 
 std::string suggestions(const std::string& name, const std::vector<std::string>& known) {
-  std::vector<std::pair<size_t, std::string>> ranked;
-  size_t rank = 0;
+  std::vector<std::pair<Rank, std::string>> ranked;
   for (const std::string& other : known)
-    if (is_close(plain(name), plain(other), rank)) ranked.emplace_back(rank, other);
+    if (const auto found = rank(plain(name), plain(other))) ranked.emplace_back(*found, other);
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   ranked.resize(std::min(ranked.size(), kMostSuggested));
 

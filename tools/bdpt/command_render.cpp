@@ -65,6 +65,7 @@ class RenderCommand {
     has_lens_ = camera.lens_radius > 0;
     context_ = make_context(options_.threads, diagnostics_, options_.color);
     options_.view.context = context_.get();
+    check_view(options_.view);
     sensor_ = make<Sensor>(camera_where(), bdpt_camera_create, context_.get(), &camera);
     scene_ = build_scene(context_.get(), description_, interrupt_.token());
     if (!scene_) throw Error(ExitCode::kInterrupted, "interrupted while the scene was built; nothing is written");

@@ -25,6 +25,7 @@ ExitCode resolve(ResolveOptions options) {
   Diagnostics diagnostics;
   const Context context = make_context(1, diagnostics, options.color);
   options.view.context = context.get();
+  check_view(options.view);
   const Film film = load_film(context.get(), options.film);
   write_film_exr(options.output, film.get(), false, context.get());
   if (!options.png.empty()) write_png(options.png, read_layer(film.get(), BDPT_LAYER_COLOR, false), options.view);

@@ -33,6 +33,19 @@ Image read(const bdpt_film* film, bdpt_read_desc desc, bool partial) {
   return image;
 }
 
+// Turns a picture into display values.
+void show(Image& image, const ViewOptions& options) {
+  auto desc = sized<bdpt_display_desc>();
+  desc.view = options.view;
+  desc.exposure = options.exposure;
+  desc.context = options.context;
+  if (!options.display.empty()) desc.display = options.display.c_str();
+  if (!options.ocio_view.empty()) desc.ocio_view = options.ocio_view.c_str();
+  const bdpt_result result = bdpt_image_display(&desc, image.pixels.data(), image.width, image.height);
+  if (result == BDPT_ERROR_IO) throw Error(ExitCode::kInput, bdpt_last_error());  // a table of the configuration
+  check(result, "the display transform");
+}
+
 }  // namespace
 
 Film load_film(bdpt_context* context, const std::string& path) {
@@ -91,14 +104,13 @@ void write_layers(const std::string& path, const std::vector<Image>& images, con
   check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
 }
 
+void check_view(const ViewOptions& options) {
+  Image image(1, 1);
+  show(image, options);
+}
+
 void write_png(const std::string& path, Image image, const ViewOptions& options) {
-  auto desc = sized<bdpt_display_desc>();
-  desc.view = options.view;
-  desc.exposure = options.exposure;
-  desc.context = options.context;
-  if (!options.display.empty()) desc.display = options.display.c_str();
-  if (!options.ocio_view.empty()) desc.ocio_view = options.ocio_view.c_str();
-  check(bdpt_image_display(&desc, image.pixels.data(), image.width, image.height), "the display transform");
+  show(image, options);
   check_output(bdpt_image_write_png(path.c_str(), image.pixels.data(), image.width, image.height), path);
 }
 

@@ -34,6 +34,9 @@ void write_exr(const std::string& path, const Image& image, const bdpt_context* 
 // Images of one size as layers; the first is the main one, too.
 void write_layers(const std::string& path, const std::vector<Image>& images, const std::vector<std::string>& names);
 
+// Whether pictures can be shown so: an Error of kInput for names that the configuration does not have.
+void check_view(const ViewOptions& options);
+
 // Through the display transform.
 void write_png(const std::string& path, Image image, const ViewOptions& options);
 

@@ -45,8 +45,8 @@ Context make_context(std::uint32_t threads, Diagnostics& diagnostics, const Colo
   if (!color.working_space.empty()) desc.rendering_space = color.working_space.c_str();
   bdpt_context* context = nullptr;
   const bdpt_result result = bdpt_context_create(BDPT_ABI, &desc, &context);
-  // The configuration is the one file that is read, and its name and that of the space are the user's.
-  if (result == BDPT_ERROR_IO) throw Error(ExitCode::kInput, bdpt_last_error());
+  const bool is_colored = desc.color_config || desc.rendering_space;
+  if (is_colored && result != BDPT_ERROR_OUT_OF_MEMORY && result < 0) throw Error(ExitCode::kInput, bdpt_last_error());
   check(result, "cannot start the library");
   return Context(context);
 }
