@@ -19,7 +19,7 @@
  *              outcome that is no error (BDPT_CANCELLED). Outputs are the last parameters; on failure handles are set
  *              to NULL and ids to zero. A call that fails has changed nothing. bdpt_last_error() tells the rest.
  *   Units      Lengths are the scene's own unit, one for all. Radiance W/(m² sr), intensity W/sr, with m that unit.
- *              Angles are in degrees. Colours are linear RGB, scene-referred.
+ *              Angles are in degrees. Colours are linear RGB, scene-referred, in the context's rendering space.
  *   Matrices   3x4, row-major: {r00 r01 r02 tx, r10 r11 r12 ty, r20 r21 r22 tz}; twelve zeros mean the identity.
  *   Images     Row 0 is the top row. Pixel (x, y) covers [x, x+1) x [y, y+1).
  *   Normals    A triangle's front is the side from which its vertices turn counter-clockwise; where vertex normals are
@@ -165,10 +165,13 @@ typedef struct bdpt_context_desc {
   uint64_t memory_limit;         /* bytes for scenes, films and blocks together; 0 = none */
   bdpt_isa isa;                  /* of the ray queries */
   uint32_t reserved;
+  const char *color_config;      /* path of an OpenColorIO configuration; NULL = none. See Colour below */
+  const char *rendering_space;   /* a linear colour space; NULL = linear Rec. 709 */
 } bdpt_context_desc;
 
 /* Creates a context. abi must be BDPT_ABI; desc may be NULL for all defaults.
- * Returns: BDPT_ERROR_ABI, _INVALID_ARGUMENT, _UNSUPPORTED (the ISA is not on this machine), _OUT_OF_MEMORY.
+ * Returns: BDPT_ERROR_ABI, _INVALID_ARGUMENT (also for a rendering space that is unknown or not linear), _UNSUPPORTED
+ * (the ISA is not on this machine), _IO (no such configuration), _FORMAT (a damaged one), _OUT_OF_MEMORY.
  * Threads: any thread. Callbacks: allowed. Ownership: the caller gets one reference. executor and log are copied;
  * their drop is called once, also when this call fails, except with BDPT_ERROR_ABI or a struct_size of no version,
  * when the structs are not read. */
@@ -191,6 +194,55 @@ typedef struct bdpt_context_info {
 /* Tells what the context is made of and what it uses.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *info. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_context_get_info(const bdpt_context *context, bdpt_context_info *info);
+
+/* ---------------------------------------------------------------------------------------------------------------
+ * Colour
+ *
+ * A context has one rendering space: a linear RGB space, linear Rec. 709 unless another is named. All colours of
+ * materials, lights and films are numbers in it; textures may name a space of their own. White is (1, 1, 1) in all.
+ * Spaces have names. These need no configuration, in any case of letters; in brackets other names for them:
+ *   "Linear Rec.709 (sRGB)" (lin_rec709, lin_srgb)   "sRGB - Texture" (srgb_texture, sRGB)   "ACEScg" (lin_ap1)
+ *   "ACES2065-1" (lin_ap0)   "Linear Rec.2020" (lin_rec2020)   "Linear P3-D65" (lin_p3d65)   "Raw" (data): no colours,
+ *   never converted.
+ * A configuration adds its own, and its roles and aliases; where it has one of these names, its space is meant. The
+ * standard spaces are joined to its own by its role aces_interchange, or by the first standard linear space that it has
+ * by name. The environment variable OCIO is not read: pass its value, if you want it.
+ */
+
+/* CIE 1931 xy. All four are needed. */
+typedef struct bdpt_chromaticities {
+  float red[2], green[2], blue[2];
+  float white[2]; /* of (1, 1, 1), inside the triangle of the others */
+} bdpt_chromaticities;
+
+typedef struct bdpt_color_info {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const char *rendering_space;        /* its name as it was given; the context's */
+  bdpt_chromaticities chromaticities; /* of the rendering space: the published ones where it is a standard space by name
+                                         or by its matrix; of any other seen at the white of D65 */
+  float luminance[3];                 /* Y is their product with a colour; their sum is 1 */
+  uint32_t reserved2;
+} bdpt_color_info;
+
+/* Tells what the numbers of the rendering space mean.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: copies into *info; the name
+ * is valid as long as the context. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_color_get_info(const bdpt_context *context, bdpt_color_info *info);
+
+/* Converts count colours of 3 floats, packed, in place. from and to are names of spaces; NULL = the rendering space.
+ * Colours that the target's primaries cannot mix become negative in some channel: nothing is clipped. A value that is
+ * not finite spoils its colour alone.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a name that is unknown, and where nothing leads from one space to the
+ * other), _IO (a table of the configuration is missing), _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
+ * Ownership: writes rgb. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_color_convert(const bdpt_context *context, const char *from, const char *to, float *rgb, uint64_t count);
+
+/* The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec. 709. White stays white
+ * (Bradford); CIE XYZ themselves, red (1,0), green (0,1), blue (0,0), white (1/3,1/3), are taken as seen at D65.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for primaries on a line, or white outside of them). Threads: any thread.
+ * Callbacks: allowed. Ownership: writes rgb. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_color_convert_chromaticities(const bdpt_chromaticities *from, const bdpt_chromaticities *to, float *rgb, uint64_t count);
 
 /* ---------------------------------------------------------------------------------------------------------------
  * Cancel token and progress
@@ -336,11 +388,17 @@ typedef struct bdpt_texture_desc {
   bdpt_encoding encoding;
   uint32_t mip_levels;    /* at most so many, the image being one; each halves the one before. 0 = 1 */
   uint32_t reserved;
+  const char *color_space; /* of the texels, but for alpha, instead of encoding, which must then be 0: they are converted
+                              to the rendering space and kept as floats. NULL: by encoding; SRGB of three colours is then
+                              "sRGB - Texture", LINEAR is left alone: numbers of the rendering space, or data */
 } bdpt_texture_desc;
 
-/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use).
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite or negative), _MEMORY_LIMIT,
- * _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies. */
+/* Adds an image texture. How it is looked up is said where it is used (bdpt_texture_use). Colours that are outside of the
+ * rendering space have a negative channel when they are converted, which becomes 0; the log tells of how many.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for texels that are not finite, or negative where no color_space is given,
+ * for a space that is unknown, and for grey that it makes a colour), _IO (a table of the configuration is missing),
+ * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
+ * Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
 /* Removes a texture that no material uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
@@ -1527,17 +1585,19 @@ typedef struct bdpt_display_desc {
   bdpt_view view;
   float exposure;          /* stops; the pixels are multiplied by 2^exposure first */
   uint32_t reserved;
-  const char *config;      /* BDPT_VIEW_OCIO: path of a configuration; NULL = the environment variable OCIO */
-  const char *color_space; /* BDPT_VIEW_OCIO: of the pixels; NULL = the role scene_linear, which in many
-                              configurations is not Rec. 709: then name the one that is */
+  const char *config;      /* BDPT_VIEW_OCIO: path of a configuration; NULL = that of context, which must have one */
+  const char *color_space; /* BDPT_VIEW_OCIO: of the pixels, a name that the configuration has; NULL = the rendering
+                              space of context; without one, the role scene_linear, which in many configurations is not
+                              Rec. 709 */
   const char *display;     /* BDPT_VIEW_OCIO: NULL = the configuration's default */
   const char *ocio_view;   /* BDPT_VIEW_OCIO: NULL = the display's default */
+  const bdpt_context *context; /* whose rendering space the pixels are in; NULL = linear Rec. 709 */
 } bdpt_display_desc;
 
-/* Turns linear pixels (3 floats each, packed; Rec. 709 primaries but for BDPT_VIEW_OCIO) into display values in [0,1],
- * in place, by OpenColorIO. What is not a number counts as 0. desc may be NULL for sRGB.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration),
- * _FORMAT (a damaged one).
+/* Turns linear pixels (3 floats each, packed) into display values in [0,1], in place, by OpenColorIO. What is not a
+ * number counts as 0. desc may be NULL for sRGB.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for names the configuration does not have), _IO (no such configuration, or
+ * a table of it is missing), _FORMAT (a damaged one).
  * Threads: any thread. Callbacks: allowed. Ownership: writes pixels. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_image_display(const bdpt_display_desc *desc, float *pixels, uint32_t width, uint32_t height);
 
@@ -1554,6 +1614,8 @@ typedef struct bdpt_exr_desc {
   const bdpt_image_layer *layers; /* layer_count of them */
   uint32_t half;                  /* 1: 16-bit floats, finite values clipped to +-65504; 0: 32-bit */
   uint32_t layer_stride;          /* bytes from layer to layer; 0 = sizeof(bdpt_image_layer) */
+  const bdpt_chromaticities *chromaticities; /* of the pixels, written beside them; NULL = Rec. 709. A film's are those
+                                                of bdpt_color_info */
 } bdpt_exr_desc;
 
 /* Writes an OpenEXR file (scanlines, ZIP), first under another name, so that path holds the old file or the new one.

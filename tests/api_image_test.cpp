@@ -61,6 +61,21 @@ TEST(ApiImage, ExrDescriptionsAreChecked) {
   EXPECT_EQ(1u, folder.count());
 }
 
+TEST(ApiImage, ExrFilesTakeOnlyChromaticitiesOfColours) {
+  const bdpt::TempFolder folder;
+  const float pixel[3] = {0, 0.5f, 1};
+  const bdpt_image_layer layer{nullptr, pixel};
+  bdpt_chromaticities chromaticities = {{0.713f, 0.293f}, {0.165f, 0.830f}, {0.128f, 0.044f}, {0.32168f, 0.33767f}};
+  bdpt_exr_desc desc = make<bdpt_exr_desc>();
+  desc.width = desc.height = desc.layer_count = 1;
+  desc.layers = &layer;
+  desc.chromaticities = &chromaticities;
+  EXPECT_OK(bdpt_image_write_exr(folder.file("a.exr").c_str(), &desc));
+  chromaticities.white[1] = 0;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_image_write_exr(folder.file("b.exr").c_str(), &desc));
+  EXPECT_EQ(1u, folder.count());
+}
+
 TEST(ApiImage, LayersMayBeOfALaterAndLongerKind) {
   const bdpt::TempFolder folder;
   const std::vector<float> pixels(3, 0.5f);

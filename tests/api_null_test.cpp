@@ -44,6 +44,17 @@ TEST(ApiNull, ContextAndCancelCallsRefuseIt) {
   EXPECT_INVALID(bdpt_cancel_create(nullptr));
 }
 
+TEST(ApiNull, ColorCallsRefuseIt) {
+  bdpt_color_info info = make<bdpt_color_info>();
+  float rgb[3] = {};
+  const Context context = make_context();
+  EXPECT_INVALID(bdpt_color_get_info(nullptr, &info));
+  EXPECT_INVALID(bdpt_color_get_info(context.get(), nullptr));
+  EXPECT_INVALID(bdpt_color_convert(nullptr, nullptr, nullptr, rgb, 1));
+  EXPECT_INVALID(bdpt_color_convert(context.get(), nullptr, nullptr, nullptr, 1));
+  EXPECT_INVALID(bdpt_color_convert_chromaticities(nullptr, nullptr, nullptr, 1));
+}
+
 TEST(ApiNull, BuilderCallsRefuseIt) {
   const Context context = make_context();
   const Builder builder = make_builder(context.get());

@@ -69,6 +69,8 @@ TEST(ApiStructSize, ContextStructsAreReadBySize) {
   const Context context = make_context();
   check<bdpt_context_info>("bdpt_context_info", 32, make<bdpt_context_info>(),
                            [&](bdpt_context_info* info) { return bdpt_context_get_info(context.get(), info); });
+  check<bdpt_color_info>("bdpt_color_info", 64, make<bdpt_color_info>(),
+                         [&](bdpt_color_info* info) { return bdpt_color_get_info(context.get(), info); });
 }
 
 TEST(ApiStructSize, BuilderStructsAreReadBySize) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "color/color_spaces.h"
 #include "color/display.h"
 #include "temp_folder.h"
 
@@ -128,7 +129,7 @@ class OcioView : public testing::Test {
   void SetUp() override {
     unsetenv("OCIO");
     options_ = view(DisplayView::Ocio);
-    options_.config = folder_.file("config.ocio");
+    options_.config = config_;
     write(
         "ocio_profile_version: 2\n"
         "roles: {default: lin, scene_linear: lin}\n"
@@ -147,8 +148,18 @@ class OcioView : public testing::Test {
         "  - !<ColorSpace> {name: lost, from_scene_reference: !<FileTransform> {src: no-such-table.cube}}\n");
   }
   void write(const std::string& text) { std::ofstream(options_.config) << text; }
+  // The same with a role that joins it to the standard spaces.
+  std::string write_joined() {
+    std::ifstream file(config_);
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::string roles = "roles: {";
+    text.insert(text.find(roles) + roles.size(), "aces_interchange: lin, ");
+    std::ofstream(joined_) << text;
+    return joined_;
+  }
 
   TempFolder folder_;
+  const std::string config_ = folder_.file("config.ocio"), joined_ = folder_.file("joined.ocio");
   DisplayOptions options_;
 };
 
@@ -164,12 +175,44 @@ TEST_F(OcioView, TakesTheNamesGiven) {
   EXPECT_FLOAT_EQ(grey(options_, 0.5f), 0.25f);
 }
 
-TEST_F(OcioView, TakesTheConfigurationOfTheEnvironment) {
+TEST_F(OcioView, DoesNotReadTheEnvironment) {
   setenv("OCIO", options_.config.c_str(), 1);
   options_.config = "";
-  EXPECT_FLOAT_EQ(grey(options_, 0.5f), 0.25f);
+  expect_error(ErrorCode::InvalidArgument, {"OCIO", "not read"}, options_);
   unsetenv("OCIO");
-  expect_error(ErrorCode::InvalidArgument, {"OCIO"}, options_);
+}
+
+// Where the context has the configuration, its rendering space is that of the pixels: here by its name, halved twice.
+TEST_F(OcioView, TakesTheRenderingSpaceOfTheContext) {
+  const ColorSpaces spaces(write_joined(), "lin");
+  options_.spaces = &spaces;
+  options_.config = "";
+  EXPECT_FLOAT_EQ(grey(options_, 0.5f), 0.25f);
+  const ColorSpaces halved(joined_, "halved");
+  options_.spaces = &halved;
+  options_.config = "";
+  EXPECT_FLOAT_EQ(grey(options_, 0.25f), 0.25f);
+  // A configuration of its own is reached by what the colours are.
+  options_.config = joined_;
+  EXPECT_NEAR(grey(options_, 0.25f), 0.25f, 1e-5f);
+  // One without a join cannot be.
+  options_.config = config_;
+  expect_error(ErrorCode::InvalidArgument, {"aces_interchange"}, options_);
+}
+
+TEST(BuiltInViews, TakeTheRenderingSpaceOfTheContext) {
+  const ColorSpaces spaces({}, "ACEScg");
+  for (const DisplayView v : {DisplayView::Srgb, DisplayView::Aces}) {
+    const Pixel pixel = {0.5f, 0.2f, 0.1f};
+    Pixel converted = pixel;
+    spaces.convert("lin_rec709", "", converted.data(), 1);
+    EXPECT_GT(std::abs(converted[0] - pixel[0]), 0.05f);
+    DisplayOptions options = view(v);
+    const Pixel expected = display(options, pixel);
+    options.spaces = &spaces;
+    const Pixel shown = display(options, converted);
+    for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(expected[c], shown[c], 1e-5f);
+  }
 }
 
 TEST_F(OcioView, NamesWhatIsAbsentAndWhatThereIs) {
@@ -182,6 +225,8 @@ TEST_F(OcioView, NamesWhatIsAbsentAndWhatThereIs) {
   options = options_;
   options.color_space = "log";
   expect_error(ErrorCode::InvalidArgument, {"color space 'log'", "'lin', 'halved'"}, options);
+  options.color_space = "halfed";
+  expect_error(ErrorCode::InvalidArgument, {"color space 'halfed': did you mean 'halved'?"}, options);
 }
 
 TEST_F(OcioView, TellsWhyAConfigurationCannotBeRead) {

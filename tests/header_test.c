@@ -15,6 +15,7 @@ HOLDS(executor_size_first, offsetof(bdpt_executor, struct_size) == 0);
 HOLDS(log_size_first, offsetof(bdpt_log, struct_size) == 0);
 HOLDS(context_desc_size_first, offsetof(bdpt_context_desc, struct_size) == 0);
 HOLDS(context_info_size_first, offsetof(bdpt_context_info, struct_size) == 0);
+HOLDS(color_info_size_first, offsetof(bdpt_color_info, struct_size) == 0);
 HOLDS(progress_size_first, offsetof(bdpt_progress, struct_size) == 0);
 HOLDS(mesh_desc_size_first, offsetof(bdpt_mesh_desc, struct_size) == 0);
 HOLDS(sphere_desc_size_first, offsetof(bdpt_sphere_desc, struct_size) == 0);

@@ -3,6 +3,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
+#include <ImfStandardAttributes.h>
 #include <gtest/gtest.h>
 #include <half.h>
 #include <png.h>
@@ -272,6 +273,24 @@ TEST(Exr, AsHalfRoundsAndClipsWhatIsFinite) {
   EXPECT_EQ(read[2], kInf);
   EXPECT_TRUE(std::isnan(read[3]));
   for (size_t i = 4; i < pixels.size(); ++i) EXPECT_EQ(read[i], static_cast<float>(half(pixels[i])));
+}
+
+TEST(Exr, NamesTheChromaticitiesOfItsPixels) {
+  const TempFolder folder;
+  const std::string path = folder.file("a.exr");
+  const std::vector<float> pixels = ramp(4, 4);
+  const auto written = [&] {
+    const Imf::InputFile file(path.c_str());
+    EXPECT_TRUE(Imf::hasChromaticities(file.header()));
+    const Imf::Chromaticities c = Imf::chromaticities(file.header());
+    return ExrChromaticities{
+        {{c.red.x, c.red.y}, {c.green.x, c.green.y}, {c.blue.x, c.blue.y}, {c.white.x, c.white.y}}};
+  };
+  write_exr(path, 4, 4, {{"", pixels.data()}}, false);
+  EXPECT_EQ(kRec709Chromaticities, written());
+  const ExrChromaticities acescg{{{0.713f, 0.293f}, {0.165f, 0.830f}, {0.128f, 0.044f}, {0.32168f, 0.33767f}}};
+  write_exr(path, 4, 4, {{"", pixels.data()}}, true, acescg);
+  EXPECT_EQ(acescg, written());
 }
 
 TEST(Exr, RefusesWhatCannotBeWritten) {

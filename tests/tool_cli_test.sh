@@ -104,6 +104,41 @@ for name in s0t2 s1t1 s0t3 s1t2 s2t1; do
 done
 [ -s pyramid/pyramid.png ] || fail "the pyramid has no sheet"
 
+# Rendering spaces, and views of a configuration; $OCIO is not read.
+cat > user.ocio <<'OCIO'
+ocio_profile_version: 2
+roles: {aces_interchange: ap0, default: ap0, scene_linear: ap0}
+displays:
+  Screen:
+    - !<View> {name: Whole, colorspace: ap0}
+    - !<View> {name: Half, colorspace: halved}
+  Wall:
+    - !<View> {name: Half, colorspace: halved}
+colorspaces:
+  - !<ColorSpace> {name: ap0}
+  - !<ColorSpace> {name: log, to_scene_reference: !<ExponentTransform> {value: [2, 2, 2, 1]}}
+  - !<ColorSpace> {name: halved, from_scene_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1]}}
+OCIO
+export OCIO=$PWD/no-such.ocio
+expect 0 '' render box.pbrt -o acescg.exr --spp 4 --working-space acescg --png acescg.png --view aces --film acescg.film
+expect 0 '' compare acescg.exr full.exr
+expect 0 '' resolve acescg.film -o again.exr --working-space acescg
+cmp -s acescg.exr again.exr || fail "the film's picture in its space differs"
+expect 5 '^bdpt: ' merge acescg.film full.film -o never.film
+expect 0 '' render box.pbrt -o u.exr --spp 1 --config user.ocio --working-space ap0 --view Half --png half.png
+expect 0 '' render box.pbrt -o u.exr --spp 1 --config user.ocio --working-space ap0 --display Wall --png wall.png
+cmp -s half.png wall.png || fail "the view of a display differs"
+expect 0 '' render box.pbrt -o u.exr --spp 1 --config user.ocio --display Screen --view Whole --exposure -1 --png whole.png
+expect 2 "^bdpt: .*'filmic' is not known; choose one of: aces, srgb" render box.pbrt -o u.exr --view filmic
+expect 2 '^bdpt: --display needs --config' render box.pbrt -o u.exr --display Wall
+expect 2 '^bdpt: --display goes with' render box.pbrt -o u.exr --config user.ocio --display Wall --view srgb
+expect 3 "^bdpt: .*did you mean 'ACEScg'" render box.pbrt -o u.exr --working-space ACESgc
+expect 3 "^bdpt: .*'log' is not linear" render box.pbrt -o u.exr --config user.ocio --working-space log
+expect 3 '^bdpt: .*no.ocio' render box.pbrt -o u.exr --config no.ocio
+expect 3 "^bdpt: .*did you mean 'Half'" render box.pbrt -o never.exr --spp 1 --config user.ocio --view Hlf --png u.png
+[ ! -e never.exr ] || fail "it rendered before it looked at the view"
+unset OCIO
+
 # Every integrator by name; what does not fit is told, and what fits is another picture of the same thing.
 for name in path light two-way pooled matrix combinatorial; do
   expect 0 '' render box.pbrt -o $name.exr --spp 16 --integrator $name --light-samples 2

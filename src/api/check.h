@@ -42,6 +42,7 @@ class Subject {
   std::string label_;
 };
 
+inline std::string text_or_empty(const char* text) { return text ? text : ""; }
 inline Vec3 to_vec3(const float v[3]) { return {v[0], v[1], v[2]}; }
 inline Rgb to_rgb(const float v[3]) { return {v[0], v[1], v[2]}; }
 

@@ -1,3 +1,4 @@
+#include "api/check.h"
 #include "api/desc.h"
 #include "api/handles.h"
 
@@ -83,6 +84,8 @@ bdpt_result bdpt_context_create(uint32_t abi, const bdpt_context_desc* desc, bdp
         d.log ? std::make_unique<const Log>(host.log, std::move(host.drop_log)) : std::make_unique<const Log>();
     object->device = std::make_shared<const RayDevice>(static_cast<Isa>(d.isa), object->meter);
     object->executor = make_executor(d, host);
+    object->colors =
+        std::make_unique<const ColorSpaces>(text_or_empty(d.color_config), text_or_empty(d.rendering_space));
     *context = object.release();
   });
 }

@@ -27,6 +27,7 @@ BDPT_VERSION_1_SIZE(bdpt_executor, 32);
 BDPT_VERSION_1_SIZE(bdpt_log, 32);
 BDPT_VERSION_1_SIZE(bdpt_context_desc, 40);
 BDPT_VERSION_1_SIZE(bdpt_context_info, 32);
+BDPT_VERSION_1_SIZE(bdpt_color_info, 64);
 BDPT_VERSION_1_SIZE(bdpt_progress, 40);
 BDPT_VERSION_1_SIZE(bdpt_mesh_desc, 296);
 BDPT_VERSION_1_SIZE(bdpt_sphere_desc, 32);
@@ -78,6 +79,7 @@ static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32 &&
               sizeof(bdpt_measurement_start) == 56 && sizeof(bdpt_measurement_place) == 48 &&
               sizeof(bdpt_measurement_landing) == 56 && sizeof(bdpt_measurement_landed) == 32);
+static_assert(sizeof(bdpt_chromaticities) == 32);
 static_assert(sizeof(bdpt_uv_instance) == 80 && sizeof(bdpt_lightmap_image) == 40);
 
 // No struct will be longer. A larger number is memory that was never set, and how far to read is unknown.

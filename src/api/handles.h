@@ -5,6 +5,7 @@
 #include "api/counted.h"
 #include "api/log.h"
 #include "base/memory.h"
+#include "color/color_spaces.h"
 #include "film/film.h"
 #include "geometry/embree.h"
 #include "render/executor.h"
@@ -20,6 +21,7 @@ struct bdpt_context : bdpt::Counted<bdpt_context> {
   std::shared_ptr<bdpt::MemoryMeter> meter;
   std::shared_ptr<bdpt::Executor> executor;
   std::shared_ptr<const bdpt::RayDevice> device;
+  std::unique_ptr<const bdpt::ColorSpaces> colors;
 };
 
 struct bdpt_cancel : bdpt::Counted<bdpt_cancel> {

@@ -1,5 +1,7 @@
 #include "api/check.h"
+#include "api/color.h"
 #include "api/desc.h"
+#include "api/handles.h"
 #include "api/host_array.h"
 #include "color/display.h"
 #include "io/exr.h"
@@ -11,8 +13,6 @@
 using namespace bdpt;
 
 namespace {
-
-std::string text_or_empty(const char* text) { return text ? text : ""; }
 
 // A stop more or less than these leaves nothing of a float's range.
 constexpr double kMaxExposure = 64;
@@ -62,9 +62,13 @@ bdpt_result bdpt_image_display(const bdpt_display_desc* desc, float* pixels, uin
     subject.check_reserved("reserved", d.reserved);
     check_pixels(pixels, "pixels");
     check_size(width, height);
-    const DisplayOptions options{static_cast<DisplayView>(d.view), d.exposure,
-                                 text_or_empty(d.config),          text_or_empty(d.color_space),
-                                 text_or_empty(d.display),         text_or_empty(d.ocio_view)};
+    const DisplayOptions options{static_cast<DisplayView>(d.view),
+                                 d.exposure,
+                                 d.context ? d.context->colors.get() : nullptr,
+                                 text_or_empty(d.config),
+                                 text_or_empty(d.color_space),
+                                 text_or_empty(d.display),
+                                 text_or_empty(d.ocio_view)};
     to_display(options, pixels, width, height);
   });
 }
@@ -75,7 +79,9 @@ bdpt_result bdpt_image_write_exr(const char* path, const bdpt_exr_desc* desc) {
     const bdpt_exr_desc d = read_struct(desc, "desc");
     check_size(d.width, d.height);
     Subject("desc", nullptr).check_flag("half", d.half);
-    write_exr(path, d.width, d.height, read_layers(d), d.half != 0);
+    const Primaries primaries = to_primaries(d.chromaticities);
+    write_exr(path, d.width, d.height, read_layers(d), d.half != 0,
+              {primaries.red, primaries.green, primaries.blue, primaries.white});
   });
 }
 

@@ -6,6 +6,8 @@
 
 namespace bdpt {
 
+class ColorSpaces;
+
 enum class DisplayView {
   Srgb,  // the sRGB curve, clipped
   Aces,  // ACES 1.0 SDR video output transform, on an sRGB display
@@ -15,9 +17,11 @@ enum class DisplayView {
 struct DisplayOptions {
   DisplayView view = DisplayView::Srgb;
   float exposure = 0;  // stops
+  // Whose rendering space the pixels are in, and whose configuration the Ocio view takes. NULL: linear Rec. 709, none.
+  const ColorSpaces* spaces = nullptr;
   // Of the Ocio view; what is empty takes its default.
-  std::string config;       // path; the environment variable OCIO
-  std::string color_space;  // of the pixels; the role scene_linear
+  std::string config;       // path; the configuration of spaces
+  std::string color_space;  // of the pixels; the rendering space of spaces; the role scene_linear
   std::string display;      // the configuration's default
   std::string ocio_view;    // the display's default
 };

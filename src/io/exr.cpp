@@ -56,6 +56,11 @@ void check_arguments(uint32_t width, uint32_t height, const std::vector<ExrLayer
   }
 }
 
+Imf::Chromaticities to_imf(const ExrChromaticities& c) {
+  const auto xy = [&](size_t i) { return Imath::V2f(c[i][0], c[i][1]); };
+  return {xy(0), xy(1), xy(2), xy(3)};
+}
+
 half to_half(float value) { return std::isfinite(value) ? half(std::clamp(value, -kHalfMax, kHalfMax)) : half(value); }
 
 void write_rows(Imf::OutputFile& output, uint32_t width, uint32_t height, const std::vector<ExrLayer>& layers,
@@ -90,13 +95,13 @@ void write_rows(Imf::OutputFile& output, uint32_t width, uint32_t height, const 
 }  // namespace
 
 void write_exr(const std::string& path, uint32_t width, uint32_t height, const std::vector<ExrLayer>& layers,
-               bool as_half) {
+               bool as_half, const ExrChromaticities& chromaticities) {
   check_arguments(width, height, layers);
   AtomicFile file(path);
   try {
     Imf::Header header(static_cast<int>(width), static_cast<int>(height));
     header.compression() = Imf::ZIP_COMPRESSION;
-    Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709, its default
+    Imf::addChromaticities(header, to_imf(chromaticities));
     for (const ExrLayer& layer : layers)
       for (const std::string& name : channel_names(layer.name))
         header.channels().insert(name, Imf::Channel(as_half ? Imf::HALF : Imf::FLOAT));

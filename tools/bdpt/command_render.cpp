@@ -15,6 +15,7 @@
 #include "render_report.h"
 #include "scene_upload.h"
 #include "stopwatch.h"
+#include "view_options.h"
 
 namespace bdpt_tool {
 namespace {
@@ -38,7 +39,8 @@ class RenderCommand {
   }
 
  private:
-  void check_outputs() const {
+  void check_outputs() {
+    check_color_options(options_.color, options_.view);
     require_extension("--output", options_.output, ".exr");
     require_extension("--png", options_.png, ".png");
     require_writable_file("--output", options_.output);
@@ -61,7 +63,9 @@ class RenderCommand {
     const bdpt_camera_desc camera = camera_desc(description_, options_.width.value_or(description_.film.width),
                                                 options_.height.value_or(description_.film.height), diagnostics_);
     has_lens_ = camera.lens_radius > 0;
-    context_ = make_context(options_.threads, diagnostics_);
+    context_ = make_context(options_.threads, diagnostics_, options_.color);
+    options_.view.context = context_.get();
+    check_view(options_.view);
     sensor_ = make<Sensor>(camera_where(), bdpt_camera_create, context_.get(), &camera);
     scene_ = build_scene(context_.get(), description_, interrupt_.token());
     if (!scene_) throw Error(ExitCode::kInterrupted, "interrupted while the scene was built; nothing is written");
@@ -127,7 +131,7 @@ class RenderCommand {
 
   void write_outputs() {
     const bool partial = interrupt_.interrupted();
-    write_film_exr(options_.output, film_.get(), partial);
+    write_film_exr(options_.output, film_.get(), partial, context_.get());
     if (!options_.png.empty())
       write_png(options_.png, read_layer(film_.get(), BDPT_LAYER_COLOR, partial), options_.view);
     if (!options_.pyramid.empty()) {

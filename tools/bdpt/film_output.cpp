@@ -9,12 +9,41 @@ void check_output(bdpt_result result, const std::string& path) {
   if (result < 0) throw Error(ExitCode::kOutput, "cannot write '" + path + "': " + bdpt_last_error());
 }
 
+bdpt_chromaticities chromaticities(const bdpt_context* context) {
+  auto info = sized<bdpt_color_info>();
+  check(bdpt_color_get_info(context, &info), "the colour space");
+  return info.chromaticities;
+}
+
+// In the rendering space of a context.
+void write_layers_of(const std::string& path, bdpt_exr_desc desc, const bdpt_context* context) {
+  bdpt_chromaticities own;
+  if (context) {
+    own = chromaticities(context);
+    desc.chromaticities = &own;
+  }
+  check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
+}
+
 Image read(const bdpt_film* film, bdpt_read_desc desc, bool partial) {
   const bdpt_film_info info = film_info(film);
   Image image(info.width, info.height);
   desc.include_partial = partial;
   check(bdpt_film_read(film, &desc, image.pixels.data(), image.pixels.size() * sizeof(float)), "reading the film");
   return image;
+}
+
+// Turns a picture into display values.
+void show(Image& image, const ViewOptions& options) {
+  auto desc = sized<bdpt_display_desc>();
+  desc.view = options.view;
+  desc.exposure = options.exposure;
+  desc.context = options.context;
+  if (!options.display.empty()) desc.display = options.display.c_str();
+  if (!options.ocio_view.empty()) desc.ocio_view = options.ocio_view.c_str();
+  const bdpt_result result = bdpt_image_display(&desc, image.pixels.data(), image.width, image.height);
+  if (result == BDPT_ERROR_IO) throw Error(ExitCode::kInput, bdpt_last_error());  // a table of the configuration
+  check(result, "the display transform");
 }
 
 }  // namespace
@@ -41,7 +70,7 @@ Image read_technique(const bdpt_film* film, std::uint32_t s, std::uint32_t t, bo
   return read(film, desc, partial);
 }
 
-void write_film_exr(const std::string& path, const bdpt_film* film, bool partial) {
+void write_film_exr(const std::string& path, const bdpt_film* film, bool partial, const bdpt_context* context) {
   const Image color = read_layer(film, BDPT_LAYER_COLOR, partial);
   const bool has_variance = film_info(film).relative_error >= 0;
   const Image variance = has_variance ? read_layer(film, BDPT_LAYER_VARIANCE, partial) : Image();
@@ -51,17 +80,17 @@ void write_film_exr(const std::string& path, const bdpt_film* film, bool partial
   desc.height = color.height;
   desc.layers = layers;
   desc.layer_count = has_variance ? 2 : 1;
-  check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
+  write_layers_of(path, desc, context);
 }
 
-void write_exr(const std::string& path, const Image& image) {
+void write_exr(const std::string& path, const Image& image, const bdpt_context* context) {
   const bdpt_image_layer layer = {nullptr, image.pixels.data()};
   auto desc = sized<bdpt_exr_desc>();
   desc.width = image.width;
   desc.height = image.height;
   desc.layers = &layer;
   desc.layer_count = 1;
-  check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
+  write_layers_of(path, desc, context);
 }
 
 void write_layers(const std::string& path, const std::vector<Image>& images, const std::vector<std::string>& names) {
@@ -75,11 +104,13 @@ void write_layers(const std::string& path, const std::vector<Image>& images, con
   check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
 }
 
+void check_view(const ViewOptions& options) {
+  Image image(1, 1);
+  show(image, options);
+}
+
 void write_png(const std::string& path, Image image, const ViewOptions& options) {
-  auto desc = sized<bdpt_display_desc>();
-  desc.view = options.view;
-  desc.exposure = options.exposure;
-  check(bdpt_image_display(&desc, image.pixels.data(), image.width, image.height), "the display transform");
+  show(image, options);
   check_output(bdpt_image_write_png(path.c_str(), image.pixels.data(), image.width, image.height), path);
 }
 

@@ -13,7 +13,10 @@ namespace bdpt_tool {
 
 struct ViewOptions {
   bdpt_view view = BDPT_VIEW_SRGB;
-  float exposure = 0;  // stops
+  float exposure = 0;                     // stops
+  bool is_named = false;                  // the view; else it is the default
+  std::string display, ocio_view;         // of BDPT_VIEW_OCIO; empty = the configuration's defaults
+  const bdpt_context* context = nullptr;  // in whose rendering space the pixels are; NULL = linear Rec. 709
 };
 
 // Reads a film file. An Error of kInput if there is none or it is damaged.
@@ -23,11 +26,16 @@ Film load_film(bdpt_context* context, const std::string& path);
 Image read_layer(const bdpt_film* film, bdpt_layer layer, bool partial);
 Image read_technique(const bdpt_film* film, std::uint32_t s, std::uint32_t t, bool partial);
 
-// The film's colour, and its variance, once there is one, as a layer of that name.
-void write_film_exr(const std::string& path, const bdpt_film* film, bool partial);
-void write_exr(const std::string& path, const Image& image);
+// The film's colour, and its variance, once there is one, as a layer of that name. The files name the chromaticities of
+// the context's rendering space; NULL = linear Rec. 709.
+void write_film_exr(const std::string& path, const bdpt_film* film, bool partial,
+                    const bdpt_context* context = nullptr);
+void write_exr(const std::string& path, const Image& image, const bdpt_context* context = nullptr);
 // Images of one size as layers; the first is the main one, too.
 void write_layers(const std::string& path, const std::vector<Image>& images, const std::vector<std::string>& names);
+
+// Whether pictures can be shown so: an Error of kInput for names that the configuration does not have.
+void check_view(const ViewOptions& options);
 
 // Through the display transform.
 void write_png(const std::string& path, Image image, const ViewOptions& options);

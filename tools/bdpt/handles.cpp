@@ -34,14 +34,21 @@ bdpt_result check(bdpt_result result, const Location& where) {
   return check(result, where.prefix() + "the scene");
 }
 
-Context make_context(std::uint32_t threads, Diagnostics& diagnostics) {
+Context make_context(std::uint32_t threads, Diagnostics& diagnostics, const ColorOptions& color) {
   auto log = sized<bdpt_log>();
   log.write = write_log;
   log.user = &diagnostics;
   auto desc = sized<bdpt_context_desc>();
   desc.threads = threads;
   desc.log = &log;
-  return make<Context>("cannot start the library", bdpt_context_create, BDPT_ABI, &desc);
+  if (!color.config.empty()) desc.color_config = color.config.c_str();
+  if (!color.working_space.empty()) desc.rendering_space = color.working_space.c_str();
+  bdpt_context* context = nullptr;
+  const bdpt_result result = bdpt_context_create(BDPT_ABI, &desc, &context);
+  const bool is_colored = desc.color_config || desc.rendering_space;
+  if (is_colored && result != BDPT_ERROR_OUT_OF_MEMORY && result < 0) throw Error(ExitCode::kInput, bdpt_last_error());
+  check(result, "cannot start the library");
+  return Context(context);
 }
 
 bdpt_film_info film_info(const bdpt_film* film) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "bdpt.h"
+#include "color_options.h"
 #include "error.h"
 
 namespace bdpt_tool {
@@ -47,7 +48,7 @@ Handle make(const std::string& what, bdpt_result (*function)(Parameters...), Arg
 }
 
 // A context that reports what the library has to say to `diagnostics`, which must outlive it.
-Context make_context(std::uint32_t threads, Diagnostics& diagnostics);
+Context make_context(std::uint32_t threads, Diagnostics& diagnostics, const ColorOptions& color = {});
 
 bdpt_film_info film_info(const bdpt_film* film);
 

@@ -37,7 +37,8 @@ float srgb_to_linear(float x);
 // Three channels, out of the sRGB curve.
 Image to_linear(const ByteImage& bytes);
 
-// The layers of an OpenEXR file that have channels R, G and B; the main one has an empty name.
+// The layers of an OpenEXR file that have channels R, G and B; the main one has an empty name, and is linear Rec. 709,
+// converted where the file names other chromaticities.
 std::map<std::string, Image> read_exr(const std::string& path, const Location& from = {});
 // Those of each part of a file, by name; the former reads the first part alone.
 std::map<std::string, std::map<std::string, Image>> read_exr_parts(const std::string& path);

@@ -6,6 +6,7 @@
 #include <ImfMultiPartInputFile.h>
 
 #include "image.h"
+#include "image_chromaticities.h"
 
 namespace bdpt_tool {
 namespace {
@@ -51,6 +52,7 @@ std::map<std::string, Image> read(Imf::MultiPartInputFile& parts, int part) {
   if (images.empty()) throw std::runtime_error("no channels R, G and B");
   file.setFrameBuffer(buffer);
   file.readPixels(window.min.y, window.max.y);
+  detail::convert_to_rec709(file.header(), images);
   return images;
 }
 

@@ -87,7 +87,7 @@ void write_pyramid(const std::string& folder, const bdpt_film* film, const Techn
       if (!allows(mask, s, t)) continue;
       Image image = read_technique(film, s, t, partial);
       const std::string path = folder + "/s" + std::to_string(s) + "t" + std::to_string(t);
-      write_exr(path + ".exr", image);
+      write_exr(path + ".exr", image, options.context);
       write_png(path + ".png", std::move(image), row_options);
     }
   }

@@ -64,7 +64,7 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
   command.add_option("--pyramid", options.pyramid,
                      "Folder for the picture of each technique (s,t), and pyramid.png with all of them; row k is "
                      "over-exposed by k-1 stops");
-  add_view_options(command, options.view);
+  add_color_options(command, options.color, options.view);
   command.add_flag("--json", options.json, "Print one JSON object about the render on stdout");
 }
 

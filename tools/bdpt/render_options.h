@@ -44,6 +44,7 @@ struct RenderOptions {
   float filter_radius = 0;
   bdpt_normalization normalization = BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED;
   ViewOptions view;
+  ColorOptions color;
   std::uint32_t threads = 0;
   bool json = false, resume = false;
 };

@@ -7,6 +7,7 @@
 
 #include "gltf/scene_reader.h"
 #include "pbrt/scene_reader.h"
+#include "scene_colors.h"
 
 namespace bdpt_tool {
 namespace {
@@ -93,7 +94,7 @@ class Uploader {
       desc.width = image.width;
       desc.height = image.height;
       desc.texel = BDPT_TEXEL_FLOAT;
-      desc.encoding = BDPT_ENCODING_LINEAR;
+      desc.color_space = "lin_rec709";
     }
     bdpt_texture_id id{};
     check(bdpt_texture_add(builder_.get(), &desc, &id), texture.where);
@@ -160,6 +161,7 @@ SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics) {
 }
 
 Scene build_scene(bdpt_context* context, SceneDescription& description, bdpt_cancel* cancel) {
+  convert_colors(context, description);
   return Uploader(context, description).build(cancel);
 }
 
