@@ -46,8 +46,11 @@ void check_whole_pools(const Engine& engine, const char* field, uint64_t passes)
          " passes at once: give a multiple of ", n);
 }
 
-void check_local(const Sensor& sensor, const TransportOptions& options) {
+void check_local(const Scene& scene, const Sensor& sensor, const TransportOptions& options) {
   if (!sensor.is_local()) return;
+  if (sensor.is_volume() && scene.has_interiors())
+    fail(ErrorCode::Unsupported,
+         "the sensor has balls, and the scene media or priorities: measure at points without a radius");
   if (options.plan && options.plan->chains)
     fail(ErrorCode::InvalidArgument, "plan: '", options.plan->name,
          "' measures pixels of cameras alone: choose another for this sensor");
@@ -117,7 +120,7 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
          sensor_->width(), " x ", sensor_->height());
   if (sensor_->is_local() != film_->desc().one_image || sensor_->planes() != film_->desc().planes)
     fail(ErrorCode::Mismatch, "film: it was created for another kind of sensor, or for other outputs");
-  check_local(*sensor_, desc.transport);
+  check_local(*scene_, *sensor_, desc.transport);
   if (!film_->acquire()) fail(ErrorCode::InUse, "film: another render fills it; destroy that first");
   try {
     engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);
