@@ -1,6 +1,7 @@
 // Every kind of camera gives the same picture by all techniques.
 #include "camera_kinds.h"
 #include "rendering.h"
+#include "transport/plan.h"
 
 namespace bdpt {
 namespace {
@@ -42,6 +43,24 @@ TEST_P(TransportCamera, EveryTechniqueGivesTheSamePicture) {
   const BlockMeans hits = measure(
       scene, [](int, int t) { return t == 0; }, 80, 5, kEdges);
   expect_same(hits, means[2], 1, "t = 0 against t >= 2");
+}
+
+// Plans that share light subpaths among pixels, choose by a pilot, or take more samples where it is dark or difficult.
+TEST_P(TransportCamera, EveryPlanGivesTheSamePicture) {
+  const ScenePointer scene = scenes::room({}).build();
+  constexpr int kEdges = 3;
+  const BlockMeans plain = measure(
+      scene, [](int s, int) { return s <= 1; }, 8, 1, kEdges);
+  uint64_t seed = 2;
+  for (const char* plan : {"automatic", "pooled", "mmlt"}) {
+    TransportOptions options = options_for({}, kEdges);
+    options.plan = find_plan(plan);
+    if (plan == std::string("automatic")) options.adaptive = Adaptive::TwoStages;
+    // A Markov chain's picture is one sample: more seeds' worth of passes.
+    const BlockMeans means =
+        block_means(scene, camera_, options, {.passes = plan == std::string("mmlt") ? 32u : 8u, .first_seed = seed++});
+    expect_same(means, plain, 3, plan);
+  }
 }
 
 // With a filter whose margin lies outside of the picture.

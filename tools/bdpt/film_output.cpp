@@ -75,10 +75,24 @@ void write_layers(const std::string& path, const std::vector<Image>& images, con
   check_output(bdpt_image_write_exr(path.c_str(), &desc), path);
 }
 
+float exposure_of(const ViewOptions& options) {
+  if (options.iso == 0 && options.shutter == 0 && options.f_number == 0 && !options.ev100) return options.exposure;
+  auto desc = sized<bdpt_exposure_desc>();
+  desc.iso = options.iso;
+  desc.shutter_time = options.shutter;
+  desc.f_number = options.f_number;
+  desc.ev100 = options.ev100.value_or(0);
+  float stops = 0;
+  if (bdpt_exposure_stops(&desc, &stops) != BDPT_OK) {
+    throw Error(ExitCode::kUsage, std::string("--iso, --shutter, --f-number, --ev100: ") + bdpt_last_error());
+  }
+  return options.exposure + stops;
+}
+
 void write_png(const std::string& path, Image image, const ViewOptions& options) {
   auto desc = sized<bdpt_display_desc>();
   desc.view = options.view;
-  desc.exposure = options.exposure;
+  desc.exposure = exposure_of(options);
   check(bdpt_image_display(&desc, image.pixels.data(), image.width, image.height), "the display transform");
   check_output(bdpt_image_write_png(path.c_str(), image.pixels.data(), image.width, image.height), path);
 }

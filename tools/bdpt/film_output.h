@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace bdpt_tool {
 
 struct ViewOptions {
   bdpt_view view = BDPT_VIEW_SRGB;
-  float exposure = 0;  // stops
+  float exposure = 0;                        // stops
+  float iso = 0, shutter = 0, f_number = 0;  // 0 = not given
+  std::optional<float> ev100;
 };
 
 // Reads a film file. An Error of kInput if there is none or it is damaged.
@@ -29,6 +32,8 @@ void write_exr(const std::string& path, const Image& image);
 // Images of one size as layers; the first is the main one, too.
 void write_layers(const std::string& path, const std::vector<Image>& images, const std::vector<std::string>& names);
 
+// In stops, of all that was given. An Error of kUsage where that makes no exposure.
+float exposure_of(const ViewOptions& options);
 // Through the display transform.
 void write_png(const std::string& path, Image image, const ViewOptions& options);
 
