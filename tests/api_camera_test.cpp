@@ -155,6 +155,9 @@ TEST_F(ApiCamera, FieldsOfTheirOwnTypeAreChecked) {
   lens("focus_distance", [](auto& d, auto*) { d.focus_distance = -1; });
   lens("film_height", [](auto& d, auto*) { d.film_height = -1; });
   lens("lens_unit", [](auto& d, auto*) { d.lens_unit = kNan; });
+  lens("lens_unit", [](auto& d, auto*) { d.lens_unit = 1e7f; });
+  lens("film_height", [](auto& d, auto*) { d.film_height = 1e7f; });
+  lens("lens_surfaces[0].thickness", [](auto&, auto* s) { s[0].thickness = 1e7f; });
 }
 
 TEST_F(ApiCamera, FacesOfACubeAreNotFiltered) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr float kMaxSide = 65536;
 constexpr float kDefaultFieldOfView = 45, kDefaultFisheye = 180;
+constexpr float kMaxLens = 1e6f;  // lengths of lenses, and scales
 
 void read_size(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc& camera) {
   subject.check_range("width", desc.width, 1, kMaxSide);
@@ -140,13 +141,13 @@ LensSurface read_surface(const Subject& subject, const bdpt_lens_surface& s, uin
   const auto refuse = [&](const char* field, const auto&... parts) {
     subject.refuse(("lens_surfaces[" + std::to_string(i) + "]." + field).c_str(), parts...);
   };
-  if (!(s.aperture > 0) || !std::isfinite(s.aperture))
-    refuse("aperture", "is ", s.aperture, ": give a diameter above 0");
+  if (!(s.aperture > 0 && s.aperture <= kMaxLens))
+    refuse("aperture", "is ", s.aperture, ": give a diameter above 0, and up to ", kMaxLens);
   if (!std::isfinite(s.radius)) refuse("radius", "is ", s.radius, ": give a number, or 0 for a flat surface");
   if (s.radius != 0 && s.aperture > 2 * std::fabs(s.radius))
     refuse("aperture", "is ", s.aperture, ": it is at most twice the radius of curvature, ", s.radius);
-  if (!(s.thickness >= 0) || !std::isfinite(s.thickness))
-    refuse("thickness", "is ", s.thickness, ": give a distance of at least 0");
+  if (!(s.thickness >= 0 && s.thickness <= kMaxLens))
+    refuse("thickness", "is ", s.thickness, ": give a distance of 0 to ", kMaxLens);
   if (s.ior != 0 && !(s.ior >= 1 && s.ior <= 4)) refuse("ior", "is ", s.ior, ": give 1 to 4, or 0 for air");
   return {s.radius, s.thickness, s.ior == 0 ? 1 : s.ior, s.aperture};
 }
@@ -159,11 +160,14 @@ void read_lens(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc&
     camera.lens.push_back(read_surface(subject, element(desc.lens_surfaces, i, desc.lens_surface_stride), i));
   if (camera.lens.back().ior != 1)
     subject.refuse("lens_surfaces", "end in a medium of ior ", camera.lens.back().ior, ": the film is in air, give 0");
-  subject.check_not_negative("film_height", &desc.film_height, 1);
-  if (desc.film_height != 0) camera.film_height = desc.film_height;
-  subject.check_not_negative("lens_unit", &desc.lens_unit, 1);
-  if (desc.lens_unit != 0) subject.check_range("lens_unit", desc.lens_unit, 1e-12, 1e12);
-  if (desc.lens_unit != 0) camera.lens_unit = desc.lens_unit;
+  if (desc.film_height != 0) {
+    subject.check_range("film_height", desc.film_height, 1 / kMaxLens, kMaxLens);
+    camera.film_height = desc.film_height;
+  }
+  if (desc.lens_unit != 0) {
+    subject.check_range("lens_unit", desc.lens_unit, 1 / kMaxLens, kMaxLens);
+    camera.lens_unit = desc.lens_unit;
+  }
   const double image = desc.focus_distance == 0
                            ? double(camera.lens.back().thickness)
                            : image_distance(camera.lens, double(desc.focus_distance) / double(camera.lens_unit));
