@@ -565,7 +565,7 @@ typedef int32_t bdpt_camera_type;
 typedef struct bdpt_lens_surface {
   float radius;    /* of its curvature; positive where the centre is on the film's side; 0 = flat */
   float thickness; /* along the axis, to the next surface, 0 to 1e6; of the last, to the film */
-  float ior;       /* behind it, 1 to 4; 0 = 1, air. The last one's is air. A flat one with the same on both sides is a stop */
+  float ior;       /* behind it, 1 to 4; 0 = 1, air, as behind the last. Flat with the same on both sides: a stop */
   float aperture;  /* diameter through which light passes, above 0, to 1e6; at most 2 |radius| */
 } bdpt_lens_surface;
 
