@@ -39,7 +39,7 @@ class RenderCommand {
 
  private:
   void check_outputs() const {
-    exposure_of(options_.view);
+    exposure_of(options_.view);  // refused before anything is done
     require_extension("--output", options_.output, ".exr");
     require_extension("--png", options_.png, ".png");
     require_writable_file("--output", options_.output);

@@ -16,6 +16,7 @@ struct ResolveOptions {
 };
 
 ExitCode resolve(const ResolveOptions& options) {
+  exposure_of(options.view);  // refused before anything is written
   require_extension("--output", options.output, ".exr");
   require_extension("--png", options.png, ".png");
   require_writable_file("--output", options.output);
