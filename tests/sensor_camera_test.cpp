@@ -354,5 +354,75 @@ TEST(SensorCamera, CropIsAPartOfTheWholePicture) {
   }
 }
 
+// What lies ahead moves to the right and up in the picture as it does before the camera; crops show the same.
+TEST(SensorCamera, EveryKindIsUprightAndCropsToAPartOfItself) {
+  for (Kind kind : scenes::camera_kinds(kView)) {
+    SCOPED_TRACE(kind.name);
+    CameraDesc d = kind.desc;
+    scenes::crop(d, 0, 0, d.width, d.height);
+    d.shift[0] = d.shift[1] = d.focus_tilt[0] = d.focus_tilt[1] = 0;  // all is in focus
+    const auto camera = make_camera(d);
+    const Transform& m = d.transform;
+    const float u[2] = {0.5f, 0.5f};
+    const auto film = [&](const Camera& of, const Vec3& p) {
+      SensorPoint z0;
+      EXPECT_TRUE(of.sample_toward(m.point(p), u, bounds_of(of, 0), z0));
+      return z0.film;
+    };
+    const Vec2 ahead = film(*camera, Vec3(0, 0, -1.2f)), right = film(*camera, Vec3(0.1f, 0, -1.2f)),
+               up = film(*camera, Vec3(0, 0.1f, -1.2f));
+    if (d.type == CameraType::Cube) {  // as the vector of a texture lookup has it, mirrored
+      EXPECT_NEAR(ahead.x, 5.5f * 8, 1e-3);
+      EXPECT_LT(right.x, ahead.x - 0.1f);
+    } else {
+      EXPECT_NEAR(ahead.x, float(d.width) / 2, 1e-2);
+      EXPECT_GT(right.x, ahead.x + 0.1f);
+    }
+    EXPECT_NEAR(ahead.y, float(d.height) / 2, 1e-2);
+    EXPECT_NEAR(right.y, ahead.y, 1e-2);
+    EXPECT_LT(up.y, ahead.y - 0.1f);
+    EXPECT_NEAR(up.x, ahead.x, 1e-2);
+    const Vec2 corner(std::floor(ahead.x) - 2, std::floor(ahead.y) - 3);
+    scenes::crop(d, int(corner.x), int(corner.y), int(corner.x) + 4, int(corner.y) + 5);
+    EXPECT_NEAR(length(Vec3(film(*make_camera(d), Vec3(0, 0, -1.2f)).x + corner.x - ahead.x,
+                            film(*make_camera(d), Vec3(0, 0, -1.2f)).y + corner.y - ahead.y, 0)),
+                0, 1e-4);
+  }
+}
+
+TEST(SensorCamera, MapsOfAllDirections) {
+  const auto direction = [](CameraType type, float field_of_view, int width, int height, float x, float y) {
+    CameraDesc d;
+    d.type = type, d.field_of_view = field_of_view, d.width = width, d.height = height;
+    scenes::crop(d, 0, 0, width, height);
+    const float u[2] = {0.5f, 0.5f};
+    return make_camera(d)->start({x, y}, u, {0, 0, width, height}).direction;
+  };
+  const auto expect = [](const Vec3& a, const Vec3& b) { EXPECT_NEAR(length(a - b), 0, 1e-5) << a << " and " << b; };
+  const float r = std::sqrt(0.5f);
+  const auto equidistant = [&](float x, float y) { return direction(CameraType::Equidistant, 180, 20, 20, x, y); };
+  expect(equidistant(20, 10), Vec3(1, 0, 0));
+  expect(equidistant(10, 0), Vec3(0, 1, 0));
+  expect(equidistant(15, 10), Vec3(r, 0, -r));
+  expect(direction(CameraType::Equidistant, 360, 20, 20, 15, 10), Vec3(1, 0, 0));
+  expect(direction(CameraType::Equisolid, 360, 20, 20, 10 + 10 * r, 10), Vec3(1, 0, 0));
+  const auto around = [&](float x, float y) { return direction(CameraType::Equirectangular, 0, 40, 20, x, y); };
+  expect(around(20, 10), Vec3(0, 0, -1));
+  expect(around(30, 10), Vec3(1, 0, 0));
+  expect(around(40, 10), Vec3(0, 0, 1));
+  expect(around(20, 5), Vec3(0, r, -r));
+  expect(around(41, 10), around(1, 10));  // on over the border
+  expect(around(20, -5), around(40, 5));  // and over the pole
+  const Vec3 faces[] = {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  for (int face = 0; face < 6; ++face) {
+    expect(direction(CameraType::Cube, 0, 60, 10, float(10 * face + 5), 5), faces[face]);
+    expect(direction(CameraType::Cube, 0, 10, 60, 5, float(10 * face + 5)), faces[face]);
+  }
+  // The top left corners of +x and of +y, by the table of OpenGL: (1, 1, 1) and (-1, 1, -1).
+  const float c = std::sqrt(1 / 3.0f);
+  expect(direction(CameraType::Cube, 0, 60, 10, 0, 0), Vec3(c, c, c));
+  expect(direction(CameraType::Cube, 0, 60, 10, 20, 0), Vec3(-c, c, -c));
+}
+
 }  // namespace
 }  // namespace bdpt
