@@ -639,23 +639,64 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_scene_get_light(const bdpt_scene *scene, ui
 
 typedef struct bdpt_sensor bdpt_sensor;
 
-/* A perspective camera that looks along its own -z, with x to the right and y up. */
+/* Cameras look along their own -z, with x to the right and y up. Fields that name types are for those alone, and zero
+ * with others. */
+typedef int32_t bdpt_camera_type;
+#define BDPT_CAMERA_PERSPECTIVE 0     /* straight lines stay straight; a pinhole, or a thin lens */
+#define BDPT_CAMERA_ORTHOGRAPHIC 1    /* parallel rays, from the plane through the camera, at right angles to it */
+#define BDPT_CAMERA_EQUIDISTANT 2     /* fisheye in a circle that touches the image's top and bottom, black around it:
+                                         the angle with the axis grows as the distance from the centre. Crop the
+                                         circle for one that fills its frame */
+#define BDPT_CAMERA_EQUISOLID 3       /* the same; each pixel of the circle sees the same solid angle */
+#define BDPT_CAMERA_EQUIRECTANGULAR 4 /* all directions: longitude to the right, latitude upward, -z in the middle */
+#define BDPT_CAMERA_CUBE 5            /* all directions, on the faces +x -x +y -y +z -z of a cube map of OpenGL, Vulkan or
+                                         Direct3D: sampled by a direction in the camera's frame it tells what is seen
+                                         there. Square faces in a row (width = 6 height) or a column (height = 6 width).
+                                         For BDPT_FILTER_BOX of one pixel alone: wider ones would mix the faces */
+#define BDPT_CAMERA_LENS 6            /* a lens by its surfaces, traced; the first lies at the camera, on its axis.
+                                         Light is neither reflected nor absorbed in it, for lenses are coated */
+
+/* A surface of a lens, as tables of patents have it, in the lens' unit. */
+typedef struct bdpt_lens_surface {
+  float radius;    /* of its curvature; positive where the centre is on the film's side; 0 = flat */
+  float thickness; /* along the axis, to the next surface, 0 to 1e6; of the last, to the film */
+  float ior;       /* behind it, 1 to 4; 0 = 1, air, as behind the last. Flat with the same on both sides: a stop */
+  float aperture;  /* diameter through which light passes, above 0, to 1e6; at most 2 |radius| */
+} bdpt_lens_surface;
+
 typedef struct bdpt_camera_desc {
   uint32_t struct_size;
   uint32_t width, height;   /* of the whole image, 1 to 65536 pixels */
   uint32_t crop[4];         /* x0, y0, x1, y1: the pixels measured, x1 and y1 outside; four zeros = all */
   float transform[12];      /* camera to world: rotation, reflection and translation; uniform scale is taken out */
-  float field_of_view;      /* vertical, of the whole image, (0,180) degrees; 0 = 45 */
-  float lens_radius;        /* world units; 0 = a pinhole */
-  float focus_distance;     /* from the lens to the plane in focus, along the axis, > 0; 0 with a pinhole only */
-  uint32_t aperture_blades; /* 0 = round; else 3 to 32: a regular polygon whose corners have lens_radius */
-  float aperture_rotation;  /* degrees, counter-clockwise as seen from behind the camera; 0 = a corner on the x axis */
-  float shift[2];           /* the frame's centre moves right and up by these fractions of its width and height */
+  float field_of_view;      /* PERSPECTIVE: vertical, of the whole image, (0,180) degrees; 0 = 45. Fisheyes: across the
+                               circle, (0,360]; 0 = 180 */
+  float lens_radius;        /* PERSPECTIVE: world units; 0 = a pinhole */
+  float focus_distance;     /* from the camera to the plane in focus, along the axis, > 0. PERSPECTIVE: 0 with a pinhole
+                               only. LENS: the film moves until what is near the axis there is sharp; 0 = it stays where
+                               the last thickness says */
+  uint32_t aperture_blades; /* PERSPECTIVE, LENS: 0 = round; else 3 to 32: a regular polygon whose corners have
+                               lens_radius, or lie on the rim of the stop */
+  float aperture_rotation;  /* the same: degrees, counter-clockwise as seen from behind the camera; 0 = a corner on
+                               the x axis */
+  float shift[2];           /* all but EQUIRECTANGULAR, CUBE: the frame's centre moves right and up by these fractions of
+                               its width and height */
+  bdpt_camera_type type;    /* 0 = BDPT_CAMERA_PERSPECTIVE */
+  float field_height;       /* ORTHOGRAPHIC: world units from the whole image's bottom to its top, > 0 */
+  float focus_tilt[2];      /* PERSPECTIVE with a lens: degrees, (-90,90), by which the plane in focus leans: its right
+                               side, and its top, come nearer by the tangents of these. It must not cut the lens */
+  float film_height;        /* LENS: of the whole image on the film, in the lens' unit, 1e-6 to 1e6; 0 = 24 */
+  float lens_unit;          /* LENS: world units in one of the lens, 1e-6 to 1e6; 0 = 0.001, millimetres in metres */
+  uint32_t lens_surface_count;             /* LENS: 1 to 64 */
+  uint32_t lens_surface_stride;            /* bytes from one to the next; 0 = sizeof(bdpt_lens_surface) */
+  const bdpt_lens_surface *lens_surfaces;  /* LENS: from the scene to the film; copied */
 } bdpt_camera_desc;
 
-/* Creates a camera. A pixel measures the radiance that arrives, averaged by the filter, and over the lens.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
- * Ownership: the caller gets one reference. */
+/* Creates a camera. A pixel measures the radiance that arrives, averaged by the filter, and over the lens. With
+ * BDPT_CAMERA_LENS it is the irradiance of the film, scaled so that a uniform radiance of 1 gives 1 in the middle of
+ * the film, and less where the lens vignettes. Light hits lenses by itself (t = 0), not pinholes and orthographic ones.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a lens that cannot focus there, or that no light passes through),
+ * _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed. Ownership: the caller gets one reference. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_camera_create(bdpt_context *context, const bdpt_camera_desc *desc, bdpt_sensor **sensor);
 /* --- Sensors that are no cameras: what arrives at surfaces and points ---
  * A measurement is a texel or a point; it has one or more outputs, all sampled at once; an output is one or more planes
@@ -1600,6 +1641,23 @@ typedef struct bdpt_display_desc {
  * a table of it is missing), _FORMAT (a damaged one).
  * Threads: any thread. Callbacks: allowed. Ownership: writes pixels. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_image_display(const bdpt_display_desc *desc, float *pixels, uint32_t width, uint32_t height);
+
+/* How a photographer exposes. */
+typedef struct bdpt_exposure_desc {
+  uint32_t struct_size;
+  float iso;          /* 1 to 1e7; 0 = 100 */
+  float shutter_time; /* seconds, 1e-7 to 1e7 */
+  float f_number;     /* 0.1 to 1000 */
+  float ev100;        /* instead of the three above, which then are 0: the exposure value at ISO 100, -64 to 64 */
+  uint32_t reserved;
+} bdpt_exposure_desc;
+
+/* The exposure for bdpt_display_desc.exposure, in stops: for pictures whose numbers are luminances in candela per square
+ * metre (lights in lux, candela or nit). What is brighter than 1.2 2^EV100, EV100 = log2(f_number^2 / shutter_time 100 /
+ * iso), goes beyond white: ISO 12232 by saturation, for a lens that lets 0.65 of the light through. Films hold
+ * radiance, whatever the exposure.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: writes *stops. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_exposure_stops(const bdpt_exposure_desc *desc, float *stops);
 
 /* One layer of an image file: 3 floats to a pixel, packed, row 0 the top. */
 typedef struct bdpt_image_layer {

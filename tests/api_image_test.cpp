@@ -2,6 +2,8 @@
 #include "api_scene.h"
 #include "temp_folder.h"
 
+#include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 
@@ -31,6 +33,42 @@ TEST(ApiImage, DisplayDescriptionsAreChecked) {
   EXPECT_EQ(0, pixel[0]);
   EXPECT_NEAR(1, pixel[1], 1e-6);
   EXPECT_NEAR(1, pixel[2], 1e-6);
+}
+
+TEST(ApiImage, ExposureIsThatOfIso12232) {
+  const auto stops = [](const std::function<void(bdpt_exposure_desc&)>& change) {
+    bdpt_exposure_desc desc = make<bdpt_exposure_desc>();
+    change(desc);
+    float value = 0;
+    EXPECT_OK(bdpt_exposure_stops(&desc, &value));
+    return value;
+  };
+  // f/1 for a second is EV 0, where 1.2 candela per square metre are white.
+  const float zero = stops([](auto& d) { d.f_number = d.shutter_time = 1; });
+  EXPECT_NEAR(std::exp2(-zero), 1.2, 1e-6);
+  EXPECT_EQ(zero, stops([](auto&) {}));
+  EXPECT_NEAR(stops([](auto& d) { d.ev100 = 15; }), zero - 15, 1e-5);
+  // Sunny 16: f/16 and 1/100 s at ISO 100 are EV 14.6.
+  const float sunny = stops([](auto& d) { d.f_number = 16, d.shutter_time = 0.01f, d.iso = 100; });
+  EXPECT_NEAR(sunny, zero - std::log2(25600.0f), 1e-4);
+  // A stop each: twice the time, twice the sensitivity, an aperture of twice the area.
+  EXPECT_NEAR(stops([](auto& d) { d.f_number = 16, d.shutter_time = 0.02f; }), sunny + 1, 1e-4);
+  EXPECT_NEAR(stops([](auto& d) { d.f_number = 16, d.shutter_time = 0.01f, d.iso = 200; }), sunny + 1, 1e-4);
+  EXPECT_NEAR(stops([](auto& d) { d.f_number = 11.3137f, d.shutter_time = 0.01f; }), sunny + 1, 1e-4);
+  const auto refused = [](const char* field, const std::function<void(bdpt_exposure_desc&)>& change) {
+    bdpt_exposure_desc desc = make<bdpt_exposure_desc>();
+    change(desc);
+    float value = 0;
+    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_exposure_stops(&desc, &value)) << field;
+    EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), field)) << bdpt_last_error();
+  };
+  refused("iso", [](auto& d) { d.iso = 100; });
+  refused("iso", [](auto& d) { d.iso = -1, d.f_number = d.shutter_time = 1; });
+  refused("f_number", [](auto& d) { d.shutter_time = 1; });
+  refused("shutter_time", [](auto& d) { d.f_number = 1; });
+  refused("ev100", [](auto& d) { d.f_number = d.shutter_time = d.ev100 = 1; });
+  refused("ev100", [](auto& d) { d.ev100 = std::numeric_limits<float>::quiet_NaN(); });
+  refused("reserved", [](auto& d) { d.reserved = 1; });
 }
 
 TEST(ApiImage, ExrDescriptionsAreChecked) {

@@ -214,6 +214,10 @@ TEST(ApiNull, ImageCallsRefuseIt) {
   const float pixels[3] = {};
   bdpt_exr_desc exr = make<bdpt_exr_desc>();
   exr.width = exr.height = exr.layer_count = 1;
+  float stops;
+  bdpt_exposure_desc exposure = make<bdpt_exposure_desc>();
+  EXPECT_INVALID(bdpt_exposure_stops(nullptr, &stops));
+  EXPECT_INVALID(bdpt_exposure_stops(&exposure, nullptr));
   EXPECT_INVALID(bdpt_image_display(nullptr, nullptr, 1, 1));
   EXPECT_INVALID(bdpt_image_write_exr(nullptr, &exr));
   EXPECT_INVALID(bdpt_image_write_exr("image.exr", nullptr));

@@ -234,6 +234,12 @@ TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
     return bdpt_render_get_technique_stats(render.get(), 1, 2, s);
   });
   float pixel[3] = {0.5f, 0.5f, 0.5f};
+  bdpt_exposure_desc exposure = make<bdpt_exposure_desc>();
+  exposure.ev100 = 12;
+  check<bdpt_exposure_desc>("bdpt_exposure_desc", 24, exposure, [](bdpt_exposure_desc* d) {
+    float stops;
+    return bdpt_exposure_stops(d, &stops);
+  });
   check<bdpt_display_desc>("bdpt_display_desc", 48, make<bdpt_display_desc>(),
                            [&](bdpt_display_desc* d) { return bdpt_image_display(d, pixel, 1, 1); });
   const bdpt::TempFolder folder;

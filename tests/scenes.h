@@ -303,7 +303,7 @@ inline CameraDesc camera_desc(const Viewpoint& view, int width, int height, floa
 }
 
 inline std::shared_ptr<const Camera> camera(const Viewpoint& view, int width, int height, float scale = 1) {
-  return std::make_shared<const Camera>(camera_desc(view, width, height, scale));
+  return make_camera(camera_desc(view, width, height, scale));
 }
 
 // --- A room, 2 x 2 x 2 round the origin ---

@@ -139,6 +139,20 @@ expect 3 "^bdpt: .*did you mean 'Half'" render box.pbrt -o never.exr --spp 1 --c
 [ ! -e never.exr ] || fail "it rendered before it looked at the view"
 unset OCIO
 
+# Cameras where the file's stands, and exposures of a photograph.
+for camera in perspective equidistant equisolid equirectangular; do
+  expect 0 '' render box.pbrt -o $camera.exr --spp 1 --camera $camera
+done
+expect 0 '' render box.pbrt -o orthographic.exr --spp 1 --camera orthographic --field-height 4
+expect 0 '' render box.pbrt -o cube.exr --spp 1 --camera cube --width 48 --height 8
+expect 3 '^bdpt: .*six square faces' render box.pbrt -o x.exr --spp 1 --camera cube
+expect 3 '^bdpt: .*field_height' render box.pbrt -o x.exr --spp 1 --camera orthographic
+expect 2 "^bdpt: .*'torus' is not known" render box.pbrt -o x.exr --camera torus
+expect 0 '' resolve sum.film -o sum.exr --png photograph.png --iso 200 --shutter 0.5 --f-number 1.4
+cmp -s photograph.png sum.png && fail "the exposure changed nothing"
+expect 2 '^bdpt: --iso.*f_number' resolve sum.film -o sum.exr --png x.png --shutter 0.5
+expect 2 '^bdpt: --iso.*f_number' render box.pbrt -o x.exr --spp 1 --shutter 0.5
+
 # Every integrator by name; what does not fit is told, and what fits is another picture of the same thing.
 for name in path light two-way pooled matrix combinatorial; do
   expect 0 '' render box.pbrt -o $name.exr --spp 16 --integrator $name --light-samples 2

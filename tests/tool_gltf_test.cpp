@@ -542,14 +542,19 @@ TEST_F(ToolGltf, ThePerspectiveCameraKeepsItsVerticalAngleForEveryShapeOfImage) 
   EXPECT_EQ(notes_with("camera"), 0u) << notes();
 }
 
-TEST_F(ToolGltf, OrthographicCamerasAreToldOf) {
+TEST_F(ToolGltf, OrthographicCamerasAreOnesOfTheirHeight) {
   const std::string mesh_text = mesh_of(triangle());
-  read_nodes("{\"mesh\":0,\"camera\":0}",
-             mesh_text +
-                 ",\"cameras\":[{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":1,\"ymag\":1,"
-                 "\"znear\":0,\"zfar\":1}}]");
-  EXPECT_EQ(notes_with("orthographic cameras are left out"), 1u);
-  EXPECT_EQ(notes_with("there is no perspective camera"), 1u);
+  const SceneDescription scene =
+      read_nodes("{\"mesh\":0,\"camera\":0,\"scale\":[7,7,7]}",
+                 mesh_text +
+                     ",\"cameras\":[{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":3,\"ymag\":1.5,"
+                     "\"znear\":0,\"zfar\":1}}]");
+  EXPECT_EQ(notes_with("camera"), 0u) << notes();
+  EXPECT_EQ(scene.film.height, 640u);
+  const bdpt_camera_desc camera = camera_desc(scene, 200, 100, diagnostics_);
+  EXPECT_EQ(camera.type, BDPT_CAMERA_ORTHOGRAPHIC);
+  EXPECT_FLOAT_EQ(camera.field_height, 3);
+  EXPECT_EQ(camera.field_of_view, 0);
 }
 
 TEST_F(ToolGltf, WithoutACameraAllIsInThePicture) {

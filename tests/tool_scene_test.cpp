@@ -122,6 +122,75 @@ TEST_F(ToolScene, LensIsMeasuredInCameraUnits) {
   EXPECT_FLOAT_EQ(scene.camera.focus_distance, 3);
 }
 
+TEST_F(ToolScene, OrthographicCamerasShowTheirScreenWindow) {
+  const SceneDescription scene = read(
+      "Scale 2 2 2\nCamera \"orthographic\" \"float screenwindow\" [-1 3 -2 2]\nWorldBegin\n" + std::string(kTriangle));
+  const bdpt_camera_desc camera = camera_desc(scene, 100, 100, diagnostics_);
+  EXPECT_EQ(camera.type, BDPT_CAMERA_ORTHOGRAPHIC);
+  EXPECT_FLOAT_EQ(camera.field_height, 2);
+  EXPECT_FLOAT_EQ(camera.shift[0], 0.25f);
+  EXPECT_EQ(camera.field_of_view, 0);
+  const SceneDescription plain = read("Camera \"orthographic\"\nWorldBegin\n" + std::string(kTriangle));
+  EXPECT_FLOAT_EQ(camera_desc(plain, 300, 100, diagnostics_).field_height, 2);
+}
+
+// The format's left edge looks to the right, a quarter further on is ahead.
+TEST_F(ToolScene, SphericalCamerasArePanoramasWithTheirFrontAQuarterIn) {
+  const SceneDescription scene =
+      read("LookAt 0 0 0  0 0 1  0 1 0\nCamera \"spherical\" \"string mapping\" \"equirectangular\"\nWorldBegin\n" +
+           std::string(kTriangle));
+  const bdpt_camera_desc camera = camera_desc(scene, 200, 100, diagnostics_);
+  EXPECT_EQ(camera.type, BDPT_CAMERA_EQUIRECTANGULAR);
+  // Ours: -z in the middle, its x axis three quarters in. Theirs: phi = 2 pi u, (cos, 0, sin).
+  expect_near(transformed(scene.camera.transform, {0, 0, -1}, 0), {-1, 0, 0});  // u = 1/2
+  expect_near(transformed(scene.camera.transform, {1, 0, 0}, 0), {0, 0, -1});   // u = 3/4
+  expect_near(transformed(scene.camera.transform, {-1, 0, 0}, 0), {0, 0, 1});   // u = 1/4
+  expect_near(transformed(scene.camera.transform, {0, 1, 0}, 0), {0, 1, 0});
+  EXPECT_THROW(read("Camera \"spherical\"\nWorldBegin\n" + std::string(kTriangle)), Error);
+}
+
+TEST_F(ToolScene, RealisticCamerasAreTracedLenses) {
+  std::ofstream(folder_.file("lens.dat"))
+      << "# a singlet with a stop\n25.85 6 1.517 24\n0 2 1 24 # flat\n\n0 45 0 20\n";
+  const auto camera_of = [&](const std::string& parameters) {
+    return "Scale 2 2 2\nFilm \"rgb\" \"integer xresolution\" 400 \"integer yresolution\" 300 \"float diagonal\" 50\n"
+           "Camera \"realistic\" " +
+           parameters + "\nWorldBegin\n" + kTriangle;
+  };
+  const SceneDescription scene =
+      read(camera_of("\"string lensfile\" \"lens.dat\" \"float aperturediameter\" 10 \"float focusdistance\" 2"));
+  const bdpt_camera_desc camera = camera_desc(scene, 400, 300, diagnostics_);
+  EXPECT_EQ(camera.type, BDPT_CAMERA_LENS);
+  ASSERT_EQ(camera.lens_surface_count, 3u);
+  EXPECT_FLOAT_EQ(camera.lens_surfaces[0].radius, 25.85f);
+  EXPECT_FLOAT_EQ(camera.lens_surfaces[2].aperture, 10);
+  EXPECT_FLOAT_EQ(camera.lens_unit, 0.0005f);
+  EXPECT_NEAR(camera.film_height, 30, 1e-4);
+  EXPECT_NEAR(camera.focus_distance, (2 - 0.053) / 2, 1e-6);
+  expect_near(transformed(scene.camera.transform, {0, 0, 0}, 1), {0, 0, 0.0265f});  // the film is at the origin
+  for (const char* bad : {"", "\"string lensfile\" \"../lens.dat\"", "\"string lensfile\" \"none.dat\"",
+                          "\"string lensfile\" \"lens.dat\" \"float focusdistance\" 0.01"}) {
+    EXPECT_THROW(read(camera_of(bad)), Error) << bad;
+  }
+  for (const char* text : {"", "1 2 3\n", "1 2 x 4\n", "1 2 nan 4\n"}) {
+    std::ofstream(folder_.file("lens.dat")) << text;
+    EXPECT_THROW(read(camera_of("\"string lensfile\" \"lens.dat\"")), Error) << text;
+  }
+}
+
+TEST_F(ToolScene, TheCommandLineReplacesTheCamera) {
+  const SceneDescription scene =
+      read("Camera \"perspective\" \"float lensradius\" 1\nWorldBegin\n" + std::string(kTriangle));
+  CameraOptions options;
+  options.type = BDPT_CAMERA_ORTHOGRAPHIC;
+  options.field_height = 5.0f;
+  const bdpt_camera_desc camera = camera_desc(scene, 200, 100, diagnostics_, options);
+  EXPECT_EQ(camera.type, BDPT_CAMERA_ORTHOGRAPHIC);
+  EXPECT_EQ(camera.field_height, 5);
+  EXPECT_EQ(camera.field_of_view, 0);
+  EXPECT_EQ(camera.lens_radius, 0);
+}
+
 TEST_F(ToolScene, CropWindowRoundsUpAsPbrt) {
   const SceneDescription scene = read(
       "Film \"rgb\" \"integer xresolution\" 10 \"integer yresolution\" 10 \"float cropwindow\" [.11 .5 0 1]\n"

@@ -1,5 +1,6 @@
 // Weights: of all techniques of a path they sum to one, and the engine's are those of densities multiplied out here,
 // from the scene's own functions, without anything the engine keeps at its vertices.
+#include "camera_kinds.h"
 #include "rendering.h"
 #include "transport/block.h"
 #include "transport/correlation.h"
@@ -49,7 +50,10 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   const size_t k = path.points.size() - 1;
   const auto at = [&](size_t i) { return path.points[i].p; };
   SensorPoint lens;
-  EXPECT_TRUE(engine.sensor.hit(at(k - 1), unit(at(k) - at(k - 1)), 1e30f, engine.bounds, lens));
+  const float any[2] = {0, 0};  // a camera without a lens has no choice
+  EXPECT_TRUE(engine.sensor.is_hittable()
+                  ? engine.sensor.hit(at(k - 1), unit(at(k) - at(k - 1)), 1e30f, engine.bounds, lens)
+                  : engine.sensor.sample_toward(at(k - 1), any, engine.bounds, lens));
   const auto normal = [&](size_t i) {
     return i == 0   ? (path.light.has_area ? &path.light.normal : nullptr)
            : i == k ? &lens.normal
@@ -211,9 +215,9 @@ TransportOptions with(TransportOptions options, const Kind& kind) {
 
 void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start, const TechniqueMask& mask,
                             LightSelection selection = LightSelection::Power, int direct_samples = 1,
-                            bool correlation_aware = false) {
+                            bool correlation_aware = false, SensorPointer camera = nullptr) {
   const ScenePointer scene = scenes::room(room).build();
-  const SensorPointer camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
+  if (!camera) camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
   TransportOptions options = options_for(mask, kMaxEdges);
   options.light_start = light_start;
   options.light_selection = selection;
@@ -238,6 +242,7 @@ void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start
       const Densities d = densities_of(p.path, *scene, plain.engine());
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
       techniques.s0_exists = p.path.light.has_area;
+      techniques.t0_exists = camera->is_hittable();
       techniques.counts.direct = float(direct_samples);
       if (correlation_aware) techniques.counts.connections = plain.engine().strategy.counts.connections;
       for (size_t i = 0; i < kHeuristics.size(); ++i) {
@@ -292,6 +297,27 @@ TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithCorrelation) {
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithGlossySurfacesAndCorrelation) {
   expect_product_weights({.contents = scenes::Contents::Glossy, .points = true}, StartBy::Uniform, {},
                          LightSelection::Power, 1, true);
+}
+
+// At most kSize x kSize pixels of each.
+std::vector<scenes::CameraKind> small_cameras() {
+  std::vector<scenes::CameraKind> kinds = scenes::camera_kinds(scenes::room_view());
+  for (scenes::CameraKind& kind : kinds) {
+    CameraDesc& d = kind.desc;
+    if (d.type == CameraType::Cube)
+      scenes::crop(d, 40, 0, 48, 8);  // the face ahead
+    else
+      scenes::crop(d, d.crop[0] + 8, d.crop[1] + 8, d.crop[0] + 16, d.crop[1] + 16);
+  }
+  return kinds;
+}
+
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithEveryCamera) {
+  for (const scenes::CameraKind& kind : small_cameras()) {
+    SCOPED_TRACE(kind.name);
+    expect_product_weights({.points = true}, StartBy::Power, {}, LightSelection::Power, 1, false,
+                           make_camera(kind.desc));
+  }
 }
 
 // What counts for 100 connections of paths of four edges, by hand: A is 1 here, as the eye's density at x_3 says.
@@ -364,8 +390,11 @@ TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
   for (const StartBy light_start : {StartBy::Power, StartBy::Uniform, StartBy::Importance}) {
     scenes::RoomOptions room{.contents = scenes::Contents::Specular, .points = true, .environment = true};
     const ScenePointer scene = scenes::room(room).build();
-    for (const scenes::Viewpoint& view : {scenes::room_view(), scenes::room_view_through_lens()}) {
-      const SensorPointer camera = scenes::camera(view, kSize, kSize);
+    std::vector<SensorPointer> cameras = {scenes::camera(scenes::room_view_through_lens(), kSize, kSize)};
+    for (const scenes::CameraKind& kind : small_cameras())
+      if (light_start == StartBy::Power || kind.desc.type == CameraType::Perspective)
+        cameras.push_back(make_camera(kind.desc));
+    for (const SensorPointer& camera : cameras) {
       for (const TechniqueMask& mask : {TechniqueMask(), mask_of([](int s, int t) { return s <= 1 || t <= 1; }),
                                         mask_of([](int s, int t) { return s != 1 && (s >= 2 || t >= 2); })})
         for (size_t i = 0; i < 4; ++i) {

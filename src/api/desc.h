@@ -70,6 +70,7 @@ BDPT_VERSION_1_SIZE(bdpt_lightmap_seams_report, 72);
 BDPT_VERSION_1_SIZE(bdpt_lightmap_encode_desc, 80);
 BDPT_VERSION_1_SIZE(bdpt_lightmap_encode_report, 24);
 BDPT_VERSION_1_SIZE(bdpt_display_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_exposure_desc, 24);
 BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
 #undef BDPT_VERSION_1_SIZE
 
@@ -77,6 +78,7 @@ BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
 static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 // Arrays and parts of other structs carry no size of their own: these can never change.
 static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32 &&
+              sizeof(bdpt_lens_surface) == 16 &&
               sizeof(bdpt_measurement_start) == 56 && sizeof(bdpt_measurement_place) == 48 &&
               sizeof(bdpt_measurement_landing) == 56 && sizeof(bdpt_measurement_landed) == 32);
 static_assert(sizeof(bdpt_chromaticities) == 32);

@@ -24,7 +24,7 @@ FilterDesc read_filter(const Subject& subject, const bdpt_film_desc& desc) {
 }  // namespace
 
 SensorShape shape_of(const Sensor& sensor) {
-  return {sensor.width(), sensor.height(), sensor.planes(), sensor.count(), sensor.is_local()};
+  return {sensor.width(), sensor.height(), sensor.planes(), sensor.count(), sensor.is_local(), sensor.has_seams()};
 }
 
 FilmDesc read_film(const bdpt_film_desc& desc, const SensorShape& sensor) {
@@ -39,8 +39,11 @@ FilmDesc read_film(const bdpt_film_desc& desc, const SensorShape& sensor) {
   film.groups = int(desc.groups == 0 ? kDefaultGroups : desc.groups);
   subject.check_range("pyramid_edges", desc.pyramid_edges, 0, kMaxPyramidEdges);
   film.pyramid_edges = int(desc.pyramid_edges);
+  const bool is_pixel = film.filter.type == FilterType::Box && (film.filter.radius == 0 || film.filter.radius == 0.5f);
+  if (sensor.has_seams && !is_pixel)
+    subject.refuse("filter", "would mix the faces of a cube map: leave filter and filter_radius zero");
   if (!sensor.is_local) return film;
-  if (film.filter.type != FilterType::Box || (film.filter.radius != 0 && film.filter.radius != 0.5f))
+  if (!is_pixel)
     subject.refuse("filter", "is none for a sensor that has no pixels: leave filter and filter_radius zero");
   film.planes = sensor.planes;
   film.one_image = true;

@@ -12,6 +12,7 @@ struct SensorShape {
   int width, height, planes;
   uint64_t count;
   bool is_local;
+  bool has_seams = false;
 };
 SensorShape shape_of(const Sensor& sensor);
 

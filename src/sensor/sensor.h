@@ -34,6 +34,7 @@ struct EyeStart : SensorPlace {
   float weight;               // alpha_2 = W_e / (P_A P_sigma-perp)
   float weight_position = 1;  // alpha_1 = W_e^(0) / P_A
   float margin = 0;           // of a surface: see off_surface()
+  bool parallel = false;  // the direction is a Dirac's: density_direction is per area across it, for z0 and z1 alike
 };
 
 // z0 as seen from a point (t = 1), or as hit by a light segment (t = 0).
@@ -113,10 +114,13 @@ class Sensor {
   // Whether light subpaths can hit the sensor by chance (t = 0).
   virtual bool is_hittable() const = 0;
   virtual uint64_t hash() const = 0;
+  // Whether pixels side by side see what is not: filters must not mix them.
+  virtual bool has_seams() const { return false; }
 
   // --- Cameras ---
   // Starts an eye subpath at a film position with two uniform numbers for the lens. The film positions of a pass lie
   // evenly in `bounds`, which enters W_e and the density of directions: a pixel's value is the mean over its filter.
+  // weight = 0: nothing is seen there.
   virtual EyeStart start(const FilmPosition&, const float[2], const PixelRect&) const { return {}; }
   // Chooses z0 for t = 1; false where x is not in the picture.
   virtual bool sample_toward(const Vec3&, const float[2], const PixelRect&, SensorPoint&) const { return false; }

@@ -129,11 +129,12 @@ void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
     eye_.vertices.push_back(sensor_vertex(sample));
   }
   if (responses_.sees()) most = std::max(most, 2u);
-  if (most < 2) return;
+  if (most < 2 || (z0.weight == 0 && !engine_.local)) return;
   Walker w{};
   w.eye = true;
   w.origin = z0.p;
   w.normal = z0.normal;
+  w.infinite = z0.parallel;
   w.cosine = z0.cosine;
   w.direction = z0.direction;
   w.projected = z0.density_direction;

@@ -43,10 +43,11 @@ void set_crop(const FilmDescription& film, Diagnostics& diagnostics, const Locat
 
 }  // namespace
 
-bdpt_camera_desc camera_desc(const SceneDescription& description, std::uint32_t width, std::uint32_t height,
-                             Diagnostics& diagnostics) {
-  const CameraDescription& camera = description.camera;
-  const float image_aspect = static_cast<float>(width) / static_cast<float>(height);
+namespace {
+
+// Of the types that show a part of a plane: its frame.
+void set_frame(const CameraDescription& camera, bdpt_camera_desc& desc) {
+  const float image_aspect = static_cast<float>(desc.width) / static_cast<float>(desc.height);
   const std::array<float, 4> window = screen_window(camera, image_aspect);
   const float window_width = window[1] - window[0], window_height = window[3] - window[2];
   if (std::abs(window_width / window_height / image_aspect - 1) > 2e-3f) {
@@ -54,17 +55,43 @@ bdpt_camera_desc camera_desc(const SceneDescription& description, std::uint32_t 
                 "the screen window and the image are of different shape; pixels must be square, change "
                 "screenwindow, frameaspectratio or the resolution");
   }
+  if (camera.type == BDPT_CAMERA_ORTHOGRAPHIC) {
+    desc.field_height = window_height * camera.screen_scale;
+  } else {
+    const double tangent = std::tan(camera.fov_short_axis * std::numbers::pi / 360) * window_height / 2;
+    desc.field_of_view = static_cast<float>(std::atan(tangent) * 360 / std::numbers::pi);
+  }
+  desc.shift[0] = (window[0] + window[1]) / 2 / window_width;
+  desc.shift[1] = (window[2] + window[3]) / 2 / window_height;
+}
+
+void set_lens(const CameraDescription& camera, float diagonal, bdpt_camera_desc& desc) {
+  desc.lens_surfaces = camera.lens.data();
+  desc.lens_surface_count = static_cast<std::uint32_t>(camera.lens.size());
+  desc.lens_unit = camera.lens_unit;
+  desc.film_height = diagonal * static_cast<float>(desc.height) /
+                     std::hypot(static_cast<float>(desc.width), static_cast<float>(desc.height));
+}
+
+}  // namespace
+
+bdpt_camera_desc camera_desc(const SceneDescription& description, std::uint32_t width, std::uint32_t height,
+                             Diagnostics& diagnostics, const CameraOptions& options) {
+  const CameraDescription& camera = description.camera;
   auto desc = sized<bdpt_camera_desc>();
   desc.width = width;
   desc.height = height;
+  desc.type = options.type.value_or(camera.type);
   set_crop(description.film, diagnostics, camera.where, desc);
   std::copy_n(camera.transform.data(), 12, desc.transform);
-  const double tangent = std::tan(camera.fov_short_axis * std::numbers::pi / 360) * window_height / 2;
-  desc.field_of_view = static_cast<float>(std::atan(tangent) * 360 / std::numbers::pi);
-  desc.lens_radius = camera.lens_radius;
-  desc.focus_distance = camera.focus_distance;
-  desc.shift[0] = (window[0] + window[1]) / 2 / window_width;
-  desc.shift[1] = (window[2] + window[3]) / 2 / window_height;
+  if (desc.type == camera.type) {
+    if (desc.type == BDPT_CAMERA_PERSPECTIVE || desc.type == BDPT_CAMERA_ORTHOGRAPHIC) set_frame(camera, desc);
+    if (desc.type == BDPT_CAMERA_LENS) set_lens(camera, description.film.diagonal, desc);
+    desc.lens_radius = camera.lens_radius;
+    desc.focus_distance = camera.focus_distance;
+  }
+  if (options.field_of_view) desc.field_of_view = *options.field_of_view;
+  if (options.field_height) desc.field_height = *options.field_height;
   return desc;
 }
 

@@ -39,6 +39,7 @@ class BakeCommand {
 
  private:
   void check_files() const {
+    exposure_of(options_.render.view);  // refused before anything is done
     require_extension("--png", options_.render.png, ".png");
     require_writable_file("--output", options_.render.output);
     require_writable_file("--png", options_.render.png);

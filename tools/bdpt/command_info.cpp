@@ -41,6 +41,24 @@ SceneFacts gather(const InfoOptions& options) {
   return facts;
 }
 
+// What kind of camera it is, and how much it sees.
+std::string seen_by(const bdpt_camera_desc& camera) {
+  char text[64];
+  switch (camera.type) {
+    case BDPT_CAMERA_ORTHOGRAPHIC:
+      std::snprintf(text, sizeof text, "orthographic, %.4g high", static_cast<double>(camera.field_height));
+      break;
+    case BDPT_CAMERA_EQUIRECTANGULAR:
+      return "a panorama";
+    case BDPT_CAMERA_LENS:
+      std::snprintf(text, sizeof text, "through a lens of %u surfaces", camera.lens_surface_count);
+      break;
+    default:
+      std::snprintf(text, sizeof text, "%.4g degrees high", static_cast<double>(camera.field_of_view));
+  }
+  return text;
+}
+
 void print_text(const SceneFacts& facts) {
   const bdpt_scene_info& scene = facts.scene;
   const auto mebibytes = [](std::uint64_t bytes) { return static_cast<double>(bytes) / (1024 * 1024); };
@@ -55,8 +73,8 @@ void print_text(const SceneFacts& facts) {
   std::printf("memory      %.1f MiB, %.1f MiB of it Embree's\n", mebibytes(scene.memory),
               mebibytes(scene.memory_embree));
   const bdpt_camera_desc& camera = facts.camera;
-  std::printf("camera      %u x %u pixels, %.4g degrees high, at %g %g %g, towards %g %g %g", camera.width,
-              camera.height, camera.field_of_view, camera.transform[3], camera.transform[7], camera.transform[11],
+  std::printf("camera      %u x %u pixels, %s, at %g %g %g, towards %g %g %g", camera.width, camera.height,
+              seen_by(camera).c_str(), camera.transform[3], camera.transform[7], camera.transform[11],
               -camera.transform[2], -camera.transform[6], -camera.transform[10]);
   if (camera.lens_radius > 0) std::printf(", lens radius %g, focus at %g", camera.lens_radius, camera.focus_distance);
   std::printf("\nin the file longest path %u edges, ", facts.max_edges);
@@ -87,7 +105,10 @@ void print_json(const SceneFacts& facts) {
   json.open("camera");
   json.value("width", facts.camera.width);
   json.value("height", facts.camera.height);
+  json.value("type", facts.camera.type);
   json.value("field_of_view", facts.camera.field_of_view);
+  json.value("field_height", facts.camera.field_height);
+  json.value("lens_surfaces", facts.camera.lens_surface_count);
   json.array("transform", facts.camera.transform);
   json.value("lens_radius", facts.camera.lens_radius);
   json.value("focus_distance", facts.camera.focus_distance);

@@ -41,6 +41,7 @@ class RenderCommand {
  private:
   void check_outputs() {
     check_color_options(options_.color, options_.view);
+    exposure_of(options_.view);  // refused before anything is done
     require_extension("--output", options_.output, ".exr");
     require_extension("--png", options_.png, ".png");
     require_writable_file("--output", options_.output);
@@ -60,9 +61,11 @@ class RenderCommand {
 
   void build() {
     const Stopwatch watch;
-    const bdpt_camera_desc camera = camera_desc(description_, options_.width.value_or(description_.film.width),
-                                                options_.height.value_or(description_.film.height), diagnostics_);
-    has_lens_ = camera.lens_radius > 0;
+    const bdpt_camera_desc camera =
+        camera_desc(description_, options_.width.value_or(description_.film.width),
+                    options_.height.value_or(description_.film.height), diagnostics_, options_.camera);
+    has_lens_ = camera.lens_radius > 0 || camera.type == BDPT_CAMERA_LENS;
+    is_cube_ = camera.type == BDPT_CAMERA_CUBE;
     context_ = make_context(options_.threads, diagnostics_, options_.color);
     options_.view.context = context_.get();
     check_view(options_.view);
@@ -80,7 +83,9 @@ class RenderCommand {
     const FilmDescription& film = description_.film;
     auto desc = sized<bdpt_film_desc>();
     desc.filter = options_.filter.value_or(film.filter);
-    if (!options_.filter) {
+    if (!options_.filter && is_cube_) {
+      desc.filter = BDPT_FILTER_BOX;
+    } else if (!options_.filter) {
       desc.filter_radius = film.filter_radius;
       desc.filter_a = film.filter_a;
       desc.filter_b = film.filter_b;
@@ -153,7 +158,7 @@ class RenderCommand {
   TechniqueMask techniques_;
   PassRange range_;
   std::uint32_t max_edges_ = 0;
-  bool has_lens_ = false;
+  bool has_lens_ = false, is_cube_ = false;
   Diagnostics diagnostics_;
   InterruptGuard interrupt_;
   SceneDescription description_;

@@ -18,6 +18,7 @@ struct ResolveOptions {
 
 ExitCode resolve(ResolveOptions options) {
   check_color_options(options.color, options.view);
+  exposure_of(options.view);  // refused before anything is written
   require_extension("--output", options.output, ".exr");
   require_extension("--png", options.png, ".png");
   require_writable_file("--output", options.output);

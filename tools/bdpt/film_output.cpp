@@ -37,7 +37,7 @@ Image read(const bdpt_film* film, bdpt_read_desc desc, bool partial) {
 void show(Image& image, const ViewOptions& options) {
   auto desc = sized<bdpt_display_desc>();
   desc.view = options.view;
-  desc.exposure = options.exposure;
+  desc.exposure = exposure_of(options);
   desc.context = options.context;
   if (!options.display.empty()) desc.display = options.display.c_str();
   if (!options.ocio_view.empty()) desc.ocio_view = options.ocio_view.c_str();
@@ -107,6 +107,20 @@ void write_layers(const std::string& path, const std::vector<Image>& images, con
 void check_view(const ViewOptions& options) {
   Image image(1, 1);
   show(image, options);
+}
+
+float exposure_of(const ViewOptions& options) {
+  if (options.iso == 0 && options.shutter == 0 && options.f_number == 0 && !options.ev100) return options.exposure;
+  auto desc = sized<bdpt_exposure_desc>();
+  desc.iso = options.iso;
+  desc.shutter_time = options.shutter;
+  desc.f_number = options.f_number;
+  desc.ev100 = options.ev100.value_or(0);
+  float stops = 0;
+  if (bdpt_exposure_stops(&desc, &stops) != BDPT_OK) {
+    throw Error(ExitCode::kUsage, std::string("--iso, --shutter, --f-number, --ev100: ") + bdpt_last_error());
+  }
+  return options.exposure + stops;
 }
 
 void write_png(const std::string& path, Image image, const ViewOptions& options) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct ViewOptions {
   bool is_named = false;                  // the view; else it is the default
   std::string display, ocio_view;         // of BDPT_VIEW_OCIO; empty = the configuration's defaults
   const bdpt_context* context = nullptr;  // in whose rendering space the pixels are; NULL = linear Rec. 709
+  float iso = 0, shutter = 0, f_number = 0;  // 0 = not given
+  std::optional<float> ev100;
 };
 
 // Reads a film file. An Error of kInput if there is none or it is damaged.
@@ -37,6 +40,8 @@ void write_layers(const std::string& path, const std::vector<Image>& images, con
 // Whether pictures can be shown so: an Error of kInput for names that the configuration does not have.
 void check_view(const ViewOptions& options);
 
+// In stops, of all that was given. An Error of kUsage where that makes no exposure.
+float exposure_of(const ViewOptions& options);
 // Through the display transform.
 void write_png(const std::string& path, Image image, const ViewOptions& options);
 

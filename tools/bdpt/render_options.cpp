@@ -73,8 +73,9 @@ void add_image_options(CLI::App& command, RenderOptions& options) {
       ->check(CLI::Range(1, 65536));
   command.add_option("--height", options.height, "Height of the picture in pixels (default: the file's)")
       ->check(CLI::Range(1, 65536));
+  add_camera_options(command, options.camera);
   add_choice(command, "--filter", options.filter, kFilters,
-             "box, tent, gaussian, mitchell or blackman-harris (default: the file's)");
+             "box, tent, gaussian, mitchell or blackman-harris (default: the file's; of a cube map box, the only one)");
   command.add_option("--filter-radius", options.filter_radius, "In pixels (default: the filter's own)")
       ->check(CLI::Range(0.5, 8.0));
   add_choice(command, "--normalization", options.normalization, kNormalizations,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "camera_options.h"
 #include "film_output.h"
 #include "technique_mask.h"
 
@@ -40,6 +41,7 @@ struct RenderOptions {
   float beta = 0, cutoff = 0;
   bool correlation_aware = false;
   bdpt_sampler sampler = BDPT_SAMPLER_SOBOL;
+  CameraOptions camera;
   std::optional<bdpt_filter> filter;
   float filter_radius = 0;
   bdpt_normalization normalization = BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED;

@@ -74,13 +74,17 @@ struct LightDescription {
 
 // What is not given in the file is empty, so that the program's own defaults can stand in.
 struct CameraDescription {
+  bdpt_camera_type type = BDPT_CAMERA_PERSPECTIVE;
   Location where;
   std::array<float, 12> transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // the library's camera to the world
   float fov_short_axis = 90;                                               // degrees over two units of the screen
   bool fov_is_vertical = false;                // the above is of the image's height, whatever its shape
   std::optional<std::array<float, 4>> screen;  // x0, x1, y0, y1; empty = fitted to the image
   std::optional<float> frame_aspect;           // width over height
+  float screen_scale = 1;                      // orthographic: world units in one of the screen
   float lens_radius = 0, focus_distance = 0;   // world units
+  std::vector<bdpt_lens_surface> lens;         // of a traced one, from the scene to the film
+  float lens_unit = 0;                         // world units in one of its
 };
 
 struct FilmDescription {
@@ -89,6 +93,7 @@ struct FilmDescription {
   std::optional<std::array<std::int64_t, 4>> crop_pixels;  // the same, in pixels
   bdpt_filter filter = BDPT_FILTER_GAUSSIAN;
   float filter_radius = 1.5f, filter_a = 0.5f, filter_b = 0;
+  float diagonal = 35;  // of the whole image behind a traced lens, in its unit
 };
 
 struct SceneDescription {

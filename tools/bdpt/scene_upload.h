@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "camera_options.h"
 #include "handles.h"
 #include "scene_description.h"
 
@@ -17,8 +18,8 @@ SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics);
 // no scene if cancelled.
 Scene build_scene(bdpt_context* context, SceneDescription& description, bdpt_cancel* cancel = nullptr);
 
-// The camera as the library takes it, for an image of this size.
+// The camera as the library takes it, for an image of this size. Its lens is the description's.
 bdpt_camera_desc camera_desc(const SceneDescription& description, std::uint32_t width, std::uint32_t height,
-                             Diagnostics& diagnostics);
+                             Diagnostics& diagnostics, const CameraOptions& options = {});
 
 }  // namespace bdpt_tool

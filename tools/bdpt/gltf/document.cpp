@@ -301,7 +301,10 @@ class Converter {
   }
 
   Camera converted(const tinygltf::Camera& from) const {
-    return {from.name, from.type == "perspective", from.perspective.yfov, from.perspective.aspectRatio};
+    const bool perspective = from.type == "perspective";
+    const tinygltf::OrthographicCamera& parallel = from.orthographic;
+    return {from.name, perspective, from.perspective.yfov,
+            perspective ? from.perspective.aspectRatio : parallel.xmag / parallel.ymag, parallel.ymag};
   }
 
   static Light converted(const tinygltf::Light& from) {

@@ -103,6 +103,7 @@ struct Camera {
   bool perspective = true;
   double yfov = 1;    // radians
   double aspect = 0;  // 0 = that of the image
+  double ymag = 1;    // orthographic: half of the height
 };
 
 struct Light {

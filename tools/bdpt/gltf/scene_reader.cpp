@@ -61,7 +61,7 @@ class Reader {
     }
     if (!has_camera_) {
       scene_.camera = framing_camera(scene_);
-      notes_.add("there is no perspective camera; one that sees all of the scene is used");
+      notes_.add("there is no camera; one that sees all of the scene is used");
     }
     scene_.camera.where = where_;
     notes_.tell();
@@ -211,14 +211,17 @@ class Reader {
     const auto slot = static_cast<std::size_t>(node(placed).camera);
     const Camera& from = document_.cameras[slot];
     const std::string what = place("cameras", slot, from.name);
-    if (!from.perspective) return notes_.add("orthographic cameras are left out", what);
-    if (has_camera_) return notes_.add("only the first perspective camera is used; left out", what);
+    if (has_camera_) return notes_.add("only the first camera is used; left out", what);
     const Transform to_world = rigid(placed.to_world);
     if (!to_world.is_finite()) throw Error(where_, name(placed) + " has a camera, and no direction: its scale is zero");
     has_camera_ = true;
     scene_.camera.transform = to_world.rows();
     scene_.camera.fov_short_axis = static_cast<float>(from.yfov * kDegrees);
     scene_.camera.fov_is_vertical = true;
+    if (!from.perspective) {
+      scene_.camera.type = BDPT_CAMERA_ORTHOGRAPHIC;
+      scene_.camera.screen_scale = static_cast<float>(from.ymag);
+    }
     if (from.aspect > 0) {
       const double height = std::round(scene_.film.width / from.aspect);
       scene_.film.height = static_cast<std::uint32_t>(std::clamp(height, 1.0, kMaxPixels));

@@ -129,6 +129,8 @@ constexpr Rule kBody[] = {
     text("cameras[].type", kRequired),
     number("cameras[].perspective.yfov", 1e-4, 0.9999 * std::numbers::pi, kRequired),
     number("cameras[].perspective.aspectRatio", 1e-4, 1e4),
+    number("cameras[].orthographic.xmag", 1e-9, 1e9, kRequired),
+    number("cameras[].orthographic.ymag", 1e-9, 1e9, kRequired),
     array("extensions.KHR_lights_punctual.lights", kRequired),
     text("extensions.KHR_lights_punctual.lights[].name"),
     text("extensions.KHR_lights_punctual.lights[].type", kRequired),

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "pbrt/cameras.h"
 #include "pbrt/render_options.h"
 
 namespace bdpt_tool {
@@ -113,7 +114,7 @@ void Directives::camera(Lexer& lexer, const Location& where) {
   require_options(where, "Camera");
   std::string type;
   const ParamList params = expect_params(lexer, where, "Camera", type);
-  read_camera(type, params, state_.transform, scene_, diagnostics_);
+  read_camera(type, params, state_.transform, folder_, scene_, diagnostics_);
   coordinate_systems_["camera"] = state_.transform.inverse();
   has_camera_ = true;
 }

@@ -48,46 +48,7 @@ float filter_radius(const ParamList& params, float fallback, Diagnostics& diagno
   return radius;
 }
 
-// The library's camera looks along -z, that of the format along +z.
-std::array<float, 12> camera_transform(const Transform& world_to_camera) {
-  return (world_to_camera.inverse() * scaling(1, 1, -1)).rows();
-}
-
 }  // namespace
-
-void read_camera(const std::string& type, const ParamList& params, const Transform& world_to_camera,
-                 SceneDescription& scene, Diagnostics& diagnostics) {
-  if (type != "perspective") params.fail("the camera '" + type + "' is not known yet; use perspective");
-  CameraDescription camera;
-  camera.where = params.where();
-  if (!world_to_camera.is_invertible()) params.fail("the transform before it is singular");
-  const double scale = uniform_scale(world_to_camera);
-  if (scale == 0) params.fail("the transform before it scales differently along its axes, or shears; remove that");
-  camera.transform = camera_transform(world_to_camera);
-  camera.fov_short_axis = params.get_float("fov", 90);
-  if (!(camera.fov_short_axis > 0 && camera.fov_short_axis < 180)) params.fail("fov must be between 0 and 180 degrees");
-  const std::vector<float> window = params.get_floats("screenwindow");
-  if (!window.empty()) {
-    if (window.size() != 4 || !(window[0] < window[1] && window[2] < window[3])) {
-      params.fail("screenwindow needs four numbers x0 x1 y0 y1, with x0 < x1 and y0 < y1");
-    }
-    camera.screen = {{window[0], window[1], window[2], window[3]}};
-  }
-  if (params.has("frameaspectratio")) {
-    camera.frame_aspect = params.get_float("frameaspectratio", 1);
-    if (!(*camera.frame_aspect > 0)) params.fail("frameaspectratio must be greater than zero");
-  }
-  // Both are lengths in camera space.
-  camera.lens_radius = params.get_float("lensradius", 0) / static_cast<float>(scale);
-  camera.focus_distance = params.get_float("focaldistance", 1e6f) / static_cast<float>(scale);
-  if (camera.lens_radius < 0) params.fail("lensradius must not be negative");
-  if (!(camera.focus_distance > 0)) params.fail("focaldistance must be greater than zero");
-  if (camera.lens_radius == 0) camera.focus_distance = 0;
-  params.ignore("shutteropen");
-  params.ignore("shutterclose");
-  params.warn_unused(diagnostics);
-  scene.camera = camera;
-}
 
 void read_film(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics) {
   if (type != "rgb" && type != "gbuffer") params.fail("the film '" + type + "' is not known; use rgb");
@@ -97,7 +58,9 @@ void read_film(const std::string& type, const ParamList& params, SceneDescriptio
   film.width = resolution(params, "xresolution", 1280);
   film.height = resolution(params, "yresolution", 720);
   read_crop(params, film);
-  for (const char* name : {"filename", "savefp16", "diagonal", "coordinatesystem"}) params.ignore(name);
+  film.diagonal = params.get_float("diagonal", 35);
+  if (!(film.diagonal > 0)) params.fail("diagonal must be greater than zero");
+  for (const char* name : {"filename", "savefp16", "coordinatesystem"}) params.ignore(name);
   for (const char* name : {"iso", "exposuretime", "whitebalance", "sensor"}) {
     params.warn_ignored(name, "is ignored: pixels hold the scene's radiance", diagnostics);
   }

@@ -1,4 +1,4 @@
-// The directives before WorldBegin: camera, film, pixel filter, sampler, integrator.
+// The directives before WorldBegin but the camera: film, pixel filter, sampler, integrator.
 //
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
@@ -6,14 +6,10 @@
 #include <string>
 
 #include "pbrt/params.h"
-#include "transform.h"
 #include "scene_description.h"
 
 namespace bdpt_tool {
 
-// `world_to_camera` is the transform where Camera stands in the file.
-void read_camera(const std::string& type, const ParamList& params, const Transform& world_to_camera,
-                 SceneDescription& scene, Diagnostics& diagnostics);
 void read_film(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics);
 void read_filter(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics);
 void read_sampler(const std::string& type, const ParamList& params, SceneDescription& scene, Diagnostics& diagnostics);
