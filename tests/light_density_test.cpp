@@ -52,8 +52,7 @@ TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
       EXPECT_FLOAT_EQ(start.density_position, lights.position_density(start.y0, by));
       EXPECT_FLOAT_EQ(start.density_direction, lights.direction_density(start.y0, start.direction));
       EXPECT_NEAR(length(start.direction), 1, 1e-5);
-      const Rgb radiance =
-          start.y0.infinite ? lights.environment_radiance() : lights.emitted(start.y0, start.direction);
+      const Rgb radiance = lights.emitted(start.y0, start.direction);
       const double expected = double(radiance.g) / (double(start.density_position) * start.density_direction);
       EXPECT_NEAR(start.weight.g, expected, 1e-5 * expected);
     }

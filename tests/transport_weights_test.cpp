@@ -134,7 +134,7 @@ std::vector<SamplePath> paths_of(const Block& block) {
     if (!is_black(z.material->emission)) {
       Path path;
       const int light = light_of(z.material->emission);
-      path.light = {light, primitive_of(light, z.p), false, true, z.p, z.ng};
+      path.light = {light, primitive_of(light, z.p), false, true, true, z.p, z.ng};
       append(path, eye, z);
       if (z.count > 2) paths.push_back({0, int(z.count), path});
     }
@@ -243,6 +243,7 @@ void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
       techniques.s0_exists = p.path.light.has_area;
       techniques.t0_exists = camera->is_hittable();
+      techniques.s0_exists = p.path.light.hittable;
       techniques.counts.direct = float(direct_samples);
       if (correlation_aware) techniques.counts.connections = plain.engine().strategy.counts.connections;
       for (size_t i = 0; i < kHeuristics.size(); ++i) {

@@ -180,7 +180,7 @@ void Block::start_light(uint32_t light, uint32_t most) {
   w.projected = y0.density_direction;
   w.throughput = y0.weight;
   w.density = y0.density_position;
-  w.start_hittable = y0.y0.has_area || y0.y0.infinite;
+  w.start_hittable = y0.y0.hittable;
   w.start_finite = !y0.y0.infinite;
   w.group = uint8_t(engine_.scene.lights().group(y0.y0.light));
   w.interior = engine_.scene.interior_of_light(y0.y0.light);

@@ -188,14 +188,13 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
   if (engine_.unweighted) return c;
   const float to_y = geometry * passage.density_to(false), to_z = geometry * passage.density_back(z.in_medium());
 
-  const bool hittable = y0.has_area || y0.infinite;
   const float position = lights.position_density(y0, engine_.light_choice());
   const float direction = lights.direction_density(y0, -w);
   if (engine_.running_sums) {
     // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
     const PowerHeuristic& h = engine_.heuristic;
     const float density = light.density * strategy_->counts.direct;
-    const float s0 = hittable ? strategy_->classes.s0 * at_z.next * to_y / density : 0;
+    const float s0 = y0.hittable ? strategy_->classes.s0 * at_z.next * to_y / density : 0;
     const float others = direction * to_z / z.density * h.combine(z.technique, at_z.previous * z.sums);
     return c * h.weight(s0, others * (position / density));
   }
@@ -203,7 +202,7 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
   e.light_at_z = direction * to_z * (z.is_sensor() ? at_z.previous : 1);
   e.light_before_z = at_z.previous * z.geometry;
   const PathVertex start{position, at_z.next * to_y, false};
-  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, hittable,
+  return c * path_weight(nullptr, &z, 1, z.count, e, start, {}, light.density / position, y0.hittable,
                          engine_.local || !y0.infinite, light_, *strategy_);
 }
 
@@ -289,12 +288,12 @@ void Block::connect_start_to_sensor(uint32_t light) {
   const float light_at_z0 = lights.direction_density(y0, w) * geometry * passage.density_to(false);
   const float eye_at_y0 = z0.density_direction * geometry * passage.density_back(false);
   if (engine_.running_sums) {
-    const float s0 = y0.has_area ? strategy.classes.s0 * eye_at_y0 / start.density_position : 0;
+    const float s0 = y0.hittable ? strategy.classes.s0 * eye_at_y0 / start.density_position : 0;
     const float t0 = strategy.classes.t0 * light_at_z0 / z0.density_position;
     weight = engine_.heuristic.weight(s0 / strategy.counts.light, t0 / strategy.counts.light);
   } else if (!engine_.unweighted) {
     weight = path_weight(nullptr, nullptr, 1, 1, {}, {start.density_position, eye_at_y0, false},
-                         {light_at_z0, z0.density_position, false}, 1, y0.has_area, true, light_, strategy);
+                         {light_at_z0, z0.density_position, false}, 1, y0.hittable, true, light_, strategy);
   }
   c *= weight / strategy.counts.light;
   if (is_black(c)) return;

@@ -167,10 +167,10 @@ void Block::arrive_on(const Walker& w, const Hit& hit, const Surface& surface) {
     LightPoint x0;
     x0.light = surface.light;
     x0.primitive = surface.primitive;
-    x0.has_area = true;
+    x0.has_area = x0.hittable = true;
     x0.p = v.p;
     x0.normal = v.ng;
-    const Rgb radiance = engine_.scene.lights().radiance(surface.light, v.ng, v.previous);
+    const Rgb radiance = engine_.scene.lights().emitted(x0, v.previous);
     if (!is_black(radiance)) hit_light(w, v, x0, radiance);
   }
   if (v.count < w.most) continue_walk(w, v);
@@ -189,10 +189,9 @@ void Block::see(const Walker& w, const Ray& ray, const Hit& hit) {
 
 void Block::escape(const Walker& w) {
   const Lights& lights = engine_.scene.lights();
-  if (!w.eye || !lights.has_environment() || !takes(0, w.count + 1, w.sample)) return;
+  if (!w.eye || lights.hittable_infinite().empty() || !takes(0, w.count + 1, w.sample)) return;
   LightPoint x0;
-  x0.light = lights.environment();
-  x0.infinite = true;
+  x0.infinite = x0.hittable = true;
   x0.normal = w.direction;
   Vertex z{};
   // A direction has no area: the edge's factor is the cosine at its other end.
@@ -205,7 +204,11 @@ void Block::escape(const Walker& w) {
   z.previous_index = w.vertex;
   z.previous_density = w.density;
   z.count = w.count + 1;
-  hit_light(w, z, x0, lights.environment_radiance());
+  for (int light : lights.hittable_infinite()) {  // each light's paths are its own
+    x0.light = light;
+    const Rgb radiance = lights.emitted(x0, z.previous);
+    if (!is_black(radiance)) hit_light(w, z, x0, radiance);
+  }
 }
 
 // s = 0: the eye subpath ends at z = x_0, on a light.

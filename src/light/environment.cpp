@@ -1,0 +1,45 @@
+// The same radiance from all directions.
+#include "light/infinity.h"
+#include "light/kinds.h"
+
+namespace bdpt {
+
+namespace {
+
+double power(const Light& light) { return 4.0 * kPi * area_of_disk(light) * double(norm(light.radiance)); }
+
+void place(const Light&, const PlaceNumbers& u, const Vec3&, LightPoint& y0) { y0.normal = sample_sphere(u.u1, u.u2); }
+
+void start(const Light& light, const StartNumbers& u, LightStart& start) {
+  place(light, u, {}, start.y0);
+  start_on_disk(light, u.v1, u.v2, start);
+}
+
+Rgb emitted(const Light& light, const LightPoint&, const Vec3&) { return light.radiance; }
+
+float position_density(const Light&, const LightPoint&) { return 0.25f * kInvPi; }
+float direct_density(const Light&, const LightPoint&, const Vec3&) { return 0.25f * kInvPi; }
+
+}  // namespace
+
+const LightKind kEnvironmentLight = {
+    .has_area = false,
+    .infinite = true,
+    .hittable = true,
+    .power = power,
+    .start = start,
+    .place = place,
+    .emitted = emitted,
+    .position_density = position_density,
+    .direction_density = density_on_disk,
+    .direct_density = direct_density,
+    .bounds = nullptr,
+};
+
+std::unique_ptr<LightData> make_environment(const LightDesc& desc, Light& light) {
+  light.kind = LightKindId::Environment;
+  light.radiance = desc.radiance;
+  return nullptr;
+}
+
+}  // namespace bdpt

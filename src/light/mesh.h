@@ -1,0 +1,39 @@
+// The triangles of all meshes that shine.
+#pragma once
+
+#include "light/light.h"
+
+#include <vector>
+
+namespace bdpt {
+
+// One triangle of an area light, in the world. All that choosing a point needs is in one cache line.
+struct alignas(64) LightTriangle {
+  Vec3 corner, edge1, edge2;
+  Vec3 normal;       // unit, toward the front; zero where the triangle is degenerate
+  double below = 0;  // part of its mesh's area that lies before it
+  float margin;
+  double area() const { return length_squared(normal) > 0 ? 0.5 * double(length(cross(edge1, edge2))) : 0; }
+  LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, float m)
+      : corner(a), edge1(b - a), edge2(c - a), normal(n), margin(m) {}
+};
+
+class LightMeshes : public LightData {
+ public:
+  // Sets the light's place among them.
+  void add(const std::vector<LightTriangle>& mesh, Light& light);
+  // The triangle of a mesh that u chooses, by area, numbered over all meshes. (Not from the mesh's first, so that it
+  // can be fetched before the light is.)
+  uint32_t choose(const Light& light, double& u) const;
+  const LightTriangle& triangle(uint32_t i) const { return triangles_[i]; }
+  // Of a triangle of the light's that is chosen.
+  float density(const Light& light, const LightPoint& y0) const;
+  Emitter bounds(const Light& light, uint32_t triangle) const;
+  size_t memory() const override;
+
+ private:
+  std::vector<LightTriangle> triangles_;
+  std::vector<uint32_t> guide_;  // where in a mesh to look for part k / n of its area; for each triangle k
+};
+
+}  // namespace bdpt

@@ -1,0 +1,22 @@
+// What lights at a point have in common.
+#pragma once
+
+#include "light/light.h"
+
+namespace bdpt {
+
+inline void place_at_point(const Light& light, const PlaceNumbers&, const Vec3&, LightPoint& y0) {
+  y0.p = light.center;
+}
+inline float position_density_of_point(const Light&, const LightPoint&) { return 1; }
+inline float direct_density_of_point(const Light&, const LightPoint&, const Vec3&) { return 1; }
+
+// Into all directions.
+inline Emitter bounds_of_point(const Light& light) {
+  Emitter e;
+  e.low = e.high = light.center;
+  e.intensity = norm(light.radiance);
+  return e;
+}
+
+}  // namespace bdpt

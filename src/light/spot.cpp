@@ -1,0 +1,81 @@
+// A point that shines into a cone, with a smooth edge.
+#include "light/kinds.h"
+#include "light/point.h"
+#include "sampling/warp.h"
+
+namespace bdpt {
+
+namespace {
+
+struct Spot : LightData {
+  Vec3 axis;
+  float cos_outer, cos_inner;
+};
+
+const Spot& spot_of(const Light& light) { return static_cast<const Spot&>(*light.data); }
+
+double power(const Light& light) {
+  const Spot& s = spot_of(light);
+  return 2.0 * kPi * norm(light.radiance) * (1 - 0.5 * (double(s.cos_inner) + s.cos_outer));
+}
+
+void start(const Light& light, const StartNumbers& u, LightStart& start) {
+  const Spot& s = spot_of(light);
+  start.y0.p = start.origin = light.center;
+  start.direction = Frame(s.axis).to_world(sample_cone(u.v1, u.v2, 1 - s.cos_outer));
+}
+
+float falloff(const Spot& s, float cosine) {
+  if (cosine <= s.cos_outer) return 0;
+  if (cosine >= s.cos_inner) return 1;
+  const float t = (cosine - s.cos_outer) / (s.cos_inner - s.cos_outer);
+  return t * t * (3 - 2 * t);
+}
+
+Rgb emitted(const Light& light, const LightPoint&, const Vec3& w) {
+  const Spot& s = spot_of(light);
+  return light.radiance * falloff(s, dot(w, s.axis) / length(w));
+}
+
+float direction_density(const Light& light, const LightPoint&, const Vec3& w) {
+  const Spot& s = spot_of(light);
+  return dot(w, s.axis) > s.cos_outer ? 1 / (kTwoPi * (1 - s.cos_outer)) : 0;
+}
+
+Emitter bounds(const Light& light) {
+  const Spot& s = spot_of(light);
+  Emitter e = bounds_of_point(light);
+  e.axis = s.axis;
+  e.cos_o = s.cos_inner;
+  e.cos_e = std::cos(std::acos(double(s.cos_outer)) - std::acos(double(s.cos_inner))) - 1e-4;  // cosines are rounded
+  return e;
+}
+
+}  // namespace
+
+const LightKind kSpotLight = {
+    .has_area = false,
+    .infinite = false,
+    .hittable = false,
+    .power = power,
+    .start = start,
+    .place = place_at_point,
+    .emitted = emitted,
+    .position_density = position_density_of_point,
+    .direction_density = direction_density,
+    .direct_density = direct_density_of_point,
+    .bounds = bounds,
+};
+
+std::unique_ptr<LightData> make_spot(const LightDesc& desc, Light& light) {
+  light.kind = LightKindId::Spot;
+  light.center = desc.position;
+  light.radiance = desc.intensity;
+  auto spot = std::make_unique<Spot>();
+  spot->axis = desc.direction;
+  spot->cos_outer = desc.cos_outer;
+  spot->cos_inner = desc.cos_inner;
+  return spot;
+}
+
+}  // namespace bdpt
