@@ -400,7 +400,7 @@ typedef struct bdpt_texture_desc {
  * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
  * Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
-/* Removes a texture that no material uses.
+/* Removes a texture that no material or light uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: the builder's copy ends. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_remove(bdpt_builder *builder, bdpt_texture_id texture);
@@ -525,26 +525,36 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_material_remove(bdpt_builder *builder, bdpt
 typedef int32_t bdpt_light_type;
 #define BDPT_LIGHT_POINT 0
 #define BDPT_LIGHT_SPOT 1        /* a point that shines into a cone, with a smooth edge */
-#define BDPT_LIGHT_ENVIRONMENT 2 /* the same radiance from all directions; at most one in a scene */
+#define BDPT_LIGHT_ENVIRONMENT 2 /* radiance from all directions: the same from each, or a picture's */
+#define BDPT_LIGHT_DIRECTIONAL 3 /* light from far away: from one direction, or from a disc: a sun */
 
-/* Area lights are instances whose material emits. */
+/* Area lights are instances whose material emits. A scene takes any number of lights of each kind; their light adds up. */
 typedef struct bdpt_light_desc {
   uint32_t struct_size;
   bdpt_light_type type;
   const char *label;
   float position[3];      /* point, spot */
-  float direction[3];     /* spot: the axis, of any length but zero */
+  float direction[3];     /* spot: the axis; directional: the way that light goes; of any length but zero */
   float intensity[3];     /* point, spot: W/sr, on the axis; >= 0 */
-  float radiance[3];      /* environment: W/(m² sr), >= 0 */
+  float radiance[3];      /* environment: W/(m² sr), >= 0; multiplies the texture */
   float cone_angle;       /* spot: from axis to the dark, (0,180) degrees */
   float cone_falloff;     /* spot: width of the edge inside it, [0, cone_angle] degrees: the intensity is
                              t²(3 - 2t) with t = (cos θ - cos a) / (cos(a - f) - cos a) */
   uint32_t group;         /* a number of your own, [0,63]: outputs of sensors may ask for some groups' light alone */
   uint32_t reserved;
+  bdpt_texture_id texture; /* environment: its picture, by longitude and latitude; zero = none. What a camera at rest
+                             sees, wrapped round: the middle is -z, the top edge +y, a quarter to the right +x. Bilinear;
+                             its left and right edges meet */
+  float transform[12];    /* environment: turns the picture, 3x4 row-major, without translation; may reflect and scale
+                             alike, which does nothing; zeros = identity. OpenEXR's latitude-longitude maps have +z in
+                             the middle: half a turn about y */
+  float irradiance[3];    /* directional: of a surface that faces it, W/m², >= 0 */
+  float angular_radius;   /* directional: of the disc, [0,80] degrees; the sun's is 0.2665. 0 = one direction, which no
+                             camera or mirror sees */
 } bdpt_light_desc;
 
 /* Adds a light.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: one thread per object.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID (texture), _OUT_OF_MEMORY. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_light_add(bdpt_builder *builder, const bdpt_light_desc *desc, bdpt_light_id *light);
 /* Replaces a light's description for scenes built from now on.
@@ -593,7 +603,7 @@ typedef struct bdpt_build_desc {
 
 /* Builds an immutable scene from what the builder holds. The builder can go on and build others. desc may be NULL.
  * A scene with no light is allowed, renders black, and says so in the log.
- * Returns: BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT (no instance and no light; two environments), _MEMORY_LIMIT,
+ * Returns: BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT (no instance and no light), _MEMORY_LIMIT,
  * _OUT_OF_MEMORY, _CALLBACK_FAILED. Threads: one thread per builder. Callbacks: not for the builder in use.
  * Ownership: the caller gets one reference; the scene keeps the context and the borrowed data alive. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_scene_build(bdpt_builder *builder, const bdpt_build_desc *desc, bdpt_scene **scene);
@@ -604,7 +614,7 @@ BDPT_API void bdpt_scene_release(bdpt_scene *scene);
 
 typedef struct bdpt_scene_info {
   uint32_t struct_size;
-  uint32_t lights;               /* lights: emitting instances, point lights, spots, environment */
+  uint32_t lights;               /* lights: emitting instances, and all that was added as a light */
   uint64_t instances;
   uint64_t triangles;            /* instanced ones counted once for each instance */
   uint64_t spheres;
@@ -1192,7 +1202,7 @@ typedef int32_t bdpt_light_selection;
 #define BDPT_LIGHT_SELECTION_POWER 0   /* one light, by emitted power; a point on it by area */
 #define BDPT_LIGHT_SELECTION_UNIFORM 1 /* one light, every light alike */
 #define BDPT_LIGHT_SELECTION_TREE 2    /* one light, or triangle of a light, by what it may send to the point: a tree of
-                                          lights, for many of them. An environment takes half */
+                                          lights, for many of them. Infinite lights take half */
 #define BDPT_LIGHT_SELECTION_EACH 3    /* every light in turn, at most 64 lights */
 
 typedef int32_t bdpt_order;

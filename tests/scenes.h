@@ -5,7 +5,9 @@
 #include "scene/scene.h"
 #include "sensor/camera.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -186,6 +188,44 @@ inline std::shared_ptr<const Mesh> make_mesh(const MeshData& data) {
   return mesh;
 }
 
+// --- Lights ---
+
+inline std::shared_ptr<const Texture> picture(uint32_t width, uint32_t height,
+                                              const std::function<Rgb(uint32_t x, uint32_t y)>& texel) {
+  std::vector<float> texels;
+  for (uint32_t y = 0; y < height; ++y)
+    for (uint32_t x = 0; x < width; ++x) {
+      const Rgb c = texel(x, y);
+      texels.insert(texels.end(), {c.r, c.g, c.b});
+    }
+  return std::make_shared<const Texture>("picture", width, height, 3, std::move(texels));
+}
+
+// A sky of some clouds and a bright spot, above a black ground; turned so that the spot is overhead.
+inline LightDesc environment_map(float scale = 1) {
+  LightDesc l;
+  l.type = LightType::Environment;
+  l.radiance = Rgb(scale, scale, 1.5f * scale);
+  l.texture = picture(16, 8, [](uint32_t x, uint32_t y) {
+    if (x == 5 && y == 3) return Rgb(40, 30, 20);
+    return y >= 4 ? Rgb() : Rgb(float((x * 7 + y * 3) % 5), 1, float(y));
+  });
+  const float s = std::sqrt(0.5f);
+  const float turn[] = {0.6f, 0.8f, 0, 0, -0.8f * s, 0.6f * s, s, 0, 0.8f * s, -0.6f * s, s, 0};
+  std::copy(turn, turn + 12, l.transform.m);
+  return l;
+}
+
+// Through the hole of the room's ceiling.
+inline LightDesc directional(double degrees, const Rgb& irradiance = Rgb(3, 4, 5)) {
+  LightDesc l;
+  l.type = LightType::Directional;
+  l.direction = unit(Vec3(0.2f, -1, -0.5f));
+  l.irradiance = irradiance;
+  l.angular_radius = degrees * M_PI / 180;
+  return l;
+}
+
 // --- Scenes ---
 
 class Builder {
@@ -259,6 +299,9 @@ class Builder {
     l.type = LightType::Environment;
     l.group = group;
     l.radiance = radiance;
+    return light(l);
+  }
+  Builder& light(const LightDesc& l) {
     desc_.lights.push_back(l);
     return *this;
   }
@@ -316,6 +359,12 @@ struct RoomOptions {
   bool environment = false;  // through a hole in the ceiling, which no camera inside sees
   float scale = 1;
   bool lantern = false;  // a mesh of many triangles that shines
+  bool lamps = true;     // a square, a two-sided one and a sphere
+  std::vector<LightDesc> lights = {};
+
+  bool has_hole() const {
+    return environment || std::any_of(lights.begin(), lights.end(), [](const auto& l) { return !l.has_position(); });
+  }
 };
 
 inline MeshData lantern() { return ball(Vec3(-0.6f, 0.5f, -0.5f), 0.15f, 3, false); }
@@ -327,14 +376,17 @@ inline Builder room(const RoomOptions& options) {
   b.add(box(low, high, true, 2), diffuse(Rgb(0.2f, 0.6f, 0.2f)));
   b.add(box(low, high, true, 4 | 16 | 32), diffuse(0.6f));
   MeshData ceiling = quad(Vec3(-1, 1, -1), Vec3(1, 1, -1), Vec3(1, 1, 0.4f), Vec3(-1, 1, 0.4f));
-  if (!options.environment) ceiling.add_quad(Vec3(-1, 1, 0.4f), Vec3(1, 1, 0.4f), Vec3(1, 1, 1), Vec3(-1, 1, 1));
+  if (!options.has_hole()) ceiling.add_quad(Vec3(-1, 1, 0.4f), Vec3(1, 1, 0.4f), Vec3(1, 1, 1), Vec3(-1, 1, 1));
   b.add(ceiling, diffuse(0.6f));
   // One-sided under the ceiling, two-sided standing at a wall, and a sphere: all within sight.
-  b.add(quad(Vec3(-0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, 0.1f), Vec3(-0.4f, 0.9f, 0.1f)),
-        emitter(Rgb(4, 3.5f, 3)));
-  b.add(quad(Vec3(-0.8f, -0.2f, -0.9f), Vec3(-0.8f, -0.2f, -0.5f), Vec3(-0.5f, 0.4f, -0.5f), Vec3(-0.5f, 0.4f, -0.9f)),
+  if (options.lamps) {
+    b.add(quad(Vec3(-0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, -0.6f), Vec3(0.4f, 0.9f, 0.1f), Vec3(-0.4f, 0.9f, 0.1f)),
+          emitter(Rgb(4, 3.5f, 3)));
+    b.add(
+        quad(Vec3(-0.8f, -0.2f, -0.9f), Vec3(-0.8f, -0.2f, -0.5f), Vec3(-0.5f, 0.4f, -0.5f), Vec3(-0.5f, 0.4f, -0.9f)),
         emitter(Rgb(1, 1.5f, 2), true, 0.4f));
-  b.add_sphere(Vec3(0.65f, 0.35f, -0.5f), 0.15f, emitter(Rgb(3, 2, 1), false, 0.3f));
+    b.add_sphere(Vec3(0.65f, 0.35f, -0.5f), 0.15f, emitter(Rgb(3, 2, 1), false, 0.3f));
+  }
   if (options.lantern) b.add(lantern(), emitter(Rgb(2, 2.5f, 3), false, 0.3f));
   const Vec3 left(-0.4f, -0.6f, -0.2f), right(0.4f, -0.65f, 0.1f), middle(0, -0.2f, -0.6f);
   switch (options.contents) {
@@ -359,6 +411,7 @@ inline Builder room(const RoomOptions& options) {
     b.spot(Vec3(-0.6f, 0.7f, 0.5f), Vec3(0.5f, -1, -0.3f), Rgb(1.5f, 1, 1), 40, 25);
   }
   if (options.environment) b.environment(Rgb(1.5f, 1.5f, 2));
+  for (const LightDesc& l : options.lights) b.light(l);
   return b;
 }
 

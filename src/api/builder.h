@@ -44,6 +44,11 @@ struct MediumEntry {
   uint64_t users = 0;
 };
 
+struct LightEntry {
+  LightDesc light;       // its texture is set when a scene is built
+  uint64_t texture = 0;  // id, or zero
+};
+
 struct InstanceEntry {
   std::string label;
   uint64_t shape = 0, material = 0;  // ids
@@ -67,7 +72,7 @@ struct bdpt_builder {
   bdpt::Table<bdpt::ShapeEntry> shapes;
   bdpt::Table<bdpt::TextureEntry> textures;
   bdpt::Table<bdpt::MaterialEntry> materials;
-  bdpt::Table<bdpt::LightDesc> lights;
+  bdpt::Table<bdpt::LightEntry> lights;
   bdpt::Table<bdpt::InstanceEntry> instances;
   bdpt::Table<bdpt::MediumEntry> media;
   bdpt::Busy busy;

@@ -1,6 +1,7 @@
 #include "api/builder.h"
 #include "api/check.h"
 #include "api/desc.h"
+#include "api/placement.h"
 
 #include <Imath/ImathVec.h>
 
@@ -12,40 +13,83 @@ namespace {
 
 float cos_degrees(double angle) { return static_cast<float>(std::cos(angle * std::numbers::pi / 180)); }
 
-void read_spot(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
+Vec3 read_direction(const Subject& subject, const bdpt_light_desc& desc) {
   const Imath::V3d direction(desc.direction[0], desc.direction[1], desc.direction[2]);
-  if (direction.length() == 0) subject.refuse("direction", "has length zero: give the axis of the spot, of any length");
+  if (direction.length() == 0)
+    subject.refuse("direction", "has length zero: give the way that light goes, of any length");
+  return Vec3(direction / direction.length());
+}
+
+void read_spot(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
+  light.direction = read_direction(subject, desc);
   if (!(desc.cone_angle > 0 && desc.cone_angle < 180))
     subject.refuse("cone_angle", "is ", desc.cone_angle, ": give an angle above 0 and below 180 degrees");
   if (!(desc.cone_falloff >= 0 && desc.cone_falloff <= desc.cone_angle))
     subject.refuse("cone_falloff", "is ", desc.cone_falloff, ": give a value from 0 to cone_angle (", desc.cone_angle,
                    ")");
-  light.direction = Vec3(direction / direction.length());
   light.cos_outer = cos_degrees(desc.cone_angle);
   light.cos_inner = cos_degrees(double(desc.cone_angle) - double(desc.cone_falloff));
 }
 
-LightDesc read_light(const bdpt_light_desc& desc) {
+void read_directional(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
+  light.direction = read_direction(subject, desc);
+  if (!(desc.angular_radius >= 0 && desc.angular_radius <= 80))
+    subject.refuse("angular_radius", "is ", desc.angular_radius,
+                   ": give the radius of the disc in degrees, from 0 to 80");
+  light.irradiance = to_rgb(desc.irradiance);
+  light.angular_radius = double(desc.angular_radius) * std::numbers::pi / 180;
+}
+
+void read_environment(const Subject& subject, const bdpt_light_desc& desc, const TextureEntry* texture,
+                      LightDesc& light) {
+  light.radiance = to_rgb(desc.radiance);
+  light.transform = read_transform(subject, desc.transform);
+  if (uniform_scale(light.transform) == 0)
+    subject.refuse("transform", "is no rotation: give axes of equal length at right angles, or twelve zeros");
+  light.transform = without_scale(light.transform);
+  if (texture && !std::isfinite(norm(light.radiance) * texture->maximum))
+    subject.refuse("radiance", "times texels up to ", texture->maximum, " is no finite number: give less");
+}
+
+LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
   const Subject subject("light", desc.label);
-  subject.check_enum("type", desc.type, BDPT_LIGHT_ENVIRONMENT);
+  subject.check_enum("type", desc.type, BDPT_LIGHT_DIRECTIONAL);
   subject.check_finite("position", desc.position, 3);
   subject.check_finite("direction", desc.direction, 3);
   subject.check_not_negative("intensity", desc.intensity, 3);
   subject.check_not_negative("radiance", desc.radiance, 3);
   subject.check_finite("cone_angle", desc.cone_angle);
   subject.check_finite("cone_falloff", desc.cone_falloff);
+  subject.check_not_negative("irradiance", desc.irradiance, 3);
+  subject.check_finite("angular_radius", desc.angular_radius);
+  subject.check_finite("transform", desc.transform, 12);
   subject.check_range("group", desc.group, 0, 63);
-  LightDesc light;
+  const TextureEntry* texture = nullptr;
+  if (desc.texture.id != 0) {
+    texture = &builder.textures.at(desc.texture.id, "desc.texture");
+    if (desc.type != BDPT_LIGHT_ENVIRONMENT)
+      subject.refuse("texture", "is set: only an environment has a picture; set it to zero");
+  }
+  LightEntry entry;
+  entry.texture = desc.texture.id;
+  LightDesc& light = entry.light;
   light.group = desc.group;
   light.label = subject.label();
   light.type = static_cast<LightType>(desc.type);
   light.position = to_vec3(desc.position);
-  if (desc.type == BDPT_LIGHT_ENVIRONMENT)
-    light.radiance = to_rgb(desc.radiance);
-  else
-    light.intensity = to_rgb(desc.intensity);
+  if (light.has_position()) light.intensity = to_rgb(desc.intensity);
   if (desc.type == BDPT_LIGHT_SPOT) read_spot(subject, desc, light);
-  return light;
+  if (desc.type == BDPT_LIGHT_ENVIRONMENT) read_environment(subject, desc, texture, light);
+  if (desc.type == BDPT_LIGHT_DIRECTIONAL) read_directional(subject, desc, light);
+  return entry;
+}
+
+void use_texture(bdpt_builder& builder, const LightEntry& light) {
+  if (light.texture) ++builder.textures[light.texture].users;
+}
+
+void leave_texture(bdpt_builder& builder, const LightEntry& light) {
+  if (light.texture) --builder.textures[light.texture].users;
 }
 
 }  // namespace
@@ -56,7 +100,9 @@ bdpt_result bdpt_light_add(bdpt_builder* builder, const bdpt_light_desc* desc, b
     bdpt_builder& b = writable(builder);
     const bdpt_light_desc d = read_struct(desc, "desc");
     require(light, "light");
-    light->id = b.lights.add(read_light(d));
+    LightEntry entry = read_light(b, d);
+    light->id = b.lights.add(entry);
+    use_texture(b, entry);
   });
 }
 
@@ -64,15 +110,18 @@ bdpt_result bdpt_light_update(bdpt_builder* builder, bdpt_light_id light, const 
   return guard(__func__, [&] {
     bdpt_builder& b = writable(builder);
     const bdpt_light_desc d = read_struct(desc, "desc");
-    LightDesc& entry = b.lights.at(light.id, "light");
-    entry = read_light(d);
+    LightEntry& entry = b.lights.at(light.id, "light");
+    LightEntry updated = read_light(b, d);
+    use_texture(b, updated);
+    leave_texture(b, entry);
+    entry = std::move(updated);
   });
 }
 
 bdpt_result bdpt_light_remove(bdpt_builder* builder, bdpt_light_id light) {
   return guard(__func__, [&] {
     bdpt_builder& b = writable(builder);
-    b.lights.at(light.id, "light");
+    leave_texture(b, b.lights.at(light.id, "light"));
     b.lights.take(light.id);
   });
 }

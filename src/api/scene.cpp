@@ -22,9 +22,10 @@ class Collector {
     for (const auto& [id, instance] : builder_.instances)
       desc_.instances.push_back({instance.label, shape(instance.shape), material(instance.material), instance.transform,
                                  id, instance.invisible});
-    for (const auto& [id, light] : builder_.lights) {
-      desc_.lights.push_back(light);
-      desc_.lights.back().id = id;
+    for (const auto& [id, entry] : builder_.lights) {
+      LightDesc& light = desc_.lights.emplace_back(entry.light);
+      light.id = id;
+      if (entry.texture) light.texture = desc_.textures[size_t(texture(entry.texture))];
     }
     return std::move(desc_);
   }
@@ -66,14 +67,6 @@ class Collector {
 void check_contents(const bdpt_builder& builder) {
   if (builder.instances.empty() && builder.lights.empty())
     fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light: add something to render");
-  const LightDesc* environment = nullptr;
-  for (const auto& [id, light] : builder.lights) {
-    if (light.type != LightType::Environment) continue;
-    if (environment)
-      fail(ErrorCode::InvalidArgument, "the builder holds two environment lights, \"", environment->label, "\" and \"",
-           light.label, "\": remove one of them");
-    environment = &light;
-  }
 }
 
 // Every light, and those that shine.
@@ -81,7 +74,7 @@ struct LightCount {
   uint32_t all = 0, shining = 0;
 
   explicit LightCount(const SceneDesc& desc) {
-    for (const LightDesc& light : desc.lights) add(light.intensity + light.radiance);
+    for (const LightDesc& light : desc.lights) add(light.strength());
     for (const InstanceDesc& instance : desc.instances) {
       const Rgb& emission = desc.materials[size_t(instance.material)].emission;
       if (!is_black(emission)) add(emission);

@@ -3,7 +3,8 @@
 namespace bdpt {
 
 const LightKind* const kLightKinds[] = {
-    &kMeshLight, &kSphereLight, &kPointLight, &kSpotLight, &kEnvironmentLight,
+    &kMeshLight,        &kSphereLight,         &kPointLight,       &kSpotLight,
+    &kEnvironmentLight, &kEnvironmentMapLight, &kDirectionalLight, &kSunLight,
 };
 
 std::unique_ptr<LightData> make_light(const LightDesc& desc, Light& light) {
@@ -13,7 +14,9 @@ std::unique_ptr<LightData> make_light(const LightDesc& desc, Light& light) {
     case LightType::Spot:
       return make_spot(desc, light);
     case LightType::Environment:
-      return make_environment(desc, light);
+      return desc.texture ? make_environment_map(desc, light) : make_environment(desc, light);
+    case LightType::Directional:
+      return desc.angular_radius > 0 ? make_sun(desc, light) : make_directional(desc, light);
   }
   return nullptr;
 }

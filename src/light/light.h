@@ -49,11 +49,10 @@ struct DirectLight {
 // What a kind keeps beyond the record.
 struct LightData {
   virtual ~LightData() = default;
-  virtual size_t memory() const { return 0; }
 };
 
 // In the order of the table in kinds.cpp.
-enum class LightKindId : uint8_t { Mesh, Sphere, Point, Spot, Environment };
+enum class LightKindId : uint8_t { Mesh, Sphere, Point, Spot, Environment, EnvironmentMap, Directional, Sun };
 
 // All that most questions need is in one cache line.
 struct alignas(64) Light {

@@ -1,5 +1,7 @@
 #include "light/lights.h"
 
+#include "geometry/texture.h"
+#include "light/environment_map.h"
 #include "light/kinds.h"
 
 #include <limits>
@@ -53,10 +55,10 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
   }
 }
 
-size_t Lights::memory() const {
-  size_t bytes = lights_.capacity() * sizeof(Light) + meshes_.memory();
-  for (const auto& data : data_)
-    if (data) bytes += data->memory();
+uint64_t Lights::table_bytes(const std::vector<LightDesc>& lights) {
+  uint64_t bytes = 0;
+  for (const LightDesc& l : lights)
+    if (l.texture) bytes += EnvironmentMap::memory_of(l.texture->width(), l.texture->height());
   return bytes;
 }
 
@@ -97,7 +99,7 @@ bool Lights::start(const float u[4], const float v[2], const LightChoice& by, Li
   start.density_position = chosen * kind.position_density(l, start.y0);
   start.density_direction = kind.direction_density(l, start.y0, start.direction);
   const Rgb emitted = kind.emitted(l, start.y0, start.direction);
-  // A direction at the very edge, rounded outward, has no density and carries nothing.
+  // What is rounded outward, at the very edge, has no density and carries nothing.
   start.weight = is_black(emitted) ? Rgb() : emitted * (1 / (start.density_position * start.density_direction));
   return true;
 }

@@ -41,7 +41,9 @@ class Lights {
   bool any_hittable() const { return any_hittable_; }
   bool all_hittable() const { return all_hittable_; }
   uint32_t group(int light) const { return at(light).group; }
-  size_t memory() const;
+  double power(int light) const { return kind_of(at(light)).power(at(light)); }
+  // What the tables of pictures among these will take.
+  static uint64_t table_bytes(const std::vector<LightDesc>& lights);
 
   // Starts a light subpath. u: choice, position 2, more of the choice; v: direction 2. False for a scene without light.
   bool start(const float u[4], const float v[2], const LightChoice& by, LightStart& start) const;

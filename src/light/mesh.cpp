@@ -55,10 +55,6 @@ Emitter LightMeshes::bounds(const Light& light, uint32_t triangle) const {
   return e;
 }
 
-size_t LightMeshes::memory() const {
-  return triangles_.capacity() * sizeof(LightTriangle) + guide_.capacity() * sizeof(uint32_t);
-}
-
 namespace {
 
 const LightMeshes& meshes_of(const Light& light) { return static_cast<const LightMeshes&>(*light.data); }

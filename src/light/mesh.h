@@ -29,7 +29,6 @@ class LightMeshes : public LightData {
   // Of a triangle of the light's that is chosen.
   float density(const Light& light, const LightPoint& y0) const;
   Emitter bounds(const Light& light, uint32_t triangle) const;
-  size_t memory() const override;
 
  private:
   std::vector<LightTriangle> triangles_;

@@ -85,6 +85,14 @@ uint64_t hash_scene(const SceneDesc& desc) {
     add(numbers);
     h = hash_combine(h, uint64_t(l.type));
     if (l.group > 0) h = hash_combine(h, l.group);
+    if (l.type == LightType::Directional) {
+      add(l.irradiance);
+      add(l.angular_radius);
+    }
+    if (l.texture) {
+      h = hash_combine(h, l.texture->content_hash());
+      add(l.transform.m);
+    }
   }
   for (const InstanceDesc& i : desc.instances) {
     add(i.transform.m);
@@ -99,16 +107,13 @@ uint64_t hash_scene(const SceneDesc& desc) {
 Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, const std::shared_ptr<MemoryMeter>& meter,
              const Progress& progress)
     : desc_(std::move(desc)) {
-  int environments = 0;
-  for (const LightDesc& l : desc_.lights) environments += l.type == LightType::Environment;
-  if (environments > 1)
-    fail(ErrorCode::InvalidArgument, "the builder holds ", environments, " environment lights; a scene takes one");
   if (desc_.instances.empty() && desc_.lights.empty())
     fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light; add some before building");
 
   booking_ = Booking(meter, world_position_bytes(), "the scene's world positions");
   number_enclosures();
   place_instances();
+  light_booking_ = Booking(meter, Lights::table_bytes(desc_.lights), "the tables of the scene's environment maps");
   collect_lights();
 
   const uint64_t before = device->memory();
@@ -125,7 +130,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   }
   rays_ = std::make_unique<RayScene>(device, geometries, progress);
   info_.memory_embree = device->memory() > before ? device->memory() - before : 0;
-  info_.memory = info_.memory_embree + booking_.bytes();
+  info_.memory = info_.memory_embree + booking_.bytes() + light_booking_.bytes();
   for (const Shape& s : desc_.shapes)
     if (s.mesh) info_.memory += s.mesh->memory;
   for (const auto& t : desc_.textures)
@@ -267,7 +272,7 @@ void Scene::collect_lights() {
     }
   }
   for (const LightDesc& l : desc_.lights)
-    if (l.type != LightType::Environment && low.x > high.x) grow(low, high, l.position);
+    if (l.has_position() && low.x > high.x) grow(low, high, l.position);
   if (low.x > high.x) low = high = Vec3(0);
   info_.bounds_min = low;
   info_.bounds_max = high;

@@ -41,7 +41,7 @@ class Scene {
   // Called now and then with the fraction done; false stops the build, which then throws RayScene::Cancelled.
   using Progress = std::function<bool(double)>;
 
-  // Throws Error(InvalidArgument) for a scene with neither instance nor light, or with two environments.
+  // Throws Error(InvalidArgument) for a scene with neither instance nor light.
   Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, const std::shared_ptr<MemoryMeter>& meter,
         const Progress& progress);
 
@@ -142,7 +142,7 @@ class Scene {
   std::vector<Interior> light_interiors_;
   std::unique_ptr<RayScene> rays_;
   SceneInfo info_;
-  Booking booking_;
+  Booking booking_, light_booking_;
 };
 
 }  // namespace bdpt

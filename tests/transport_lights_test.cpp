@@ -1,0 +1,63 @@
+// Every kind of light in every technique: the same picture by paths from the eye, from the light, and from both.
+#include "light_testing.h"
+#include "rendering.h"
+
+namespace bdpt {
+namespace {
+
+using namespace rendering;
+
+constexpr int kSize = 32;
+
+struct Case {
+  std::string name;
+  scenes::RoomOptions room;
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  const auto add = [&](const std::string& name, const std::vector<LightDesc>& lights) {
+    all.push_back({name, {.contents = scenes::Contents::Glossy, .lamps = false, .lights = lights}});
+  };
+  add("environment_map", {scenes::environment_map()});
+  add("directional", {scenes::directional(0)});
+  add("sun", {scenes::directional(3)});
+  LightDesc sky;
+  sky.type = LightType::Environment;
+  sky.radiance = Rgb(0.5f, 0.6f, 1);
+  add("sky_and_suns",
+      {sky, scenes::directional(0, Rgb(1, 0, 0)), scenes::directional(3, Rgb(0, 2, 1)), scenes::environment_map(0.2f)});
+  return all;
+}
+
+class TransportLights : public testing::TestWithParam<Case> {};
+
+TEST_P(TransportLights, AllTechniquesGiveTheSamePicture) {
+  const ScenePointer scene = scenes::room(GetParam().room).build();
+  const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
+  const std::vector<std::pair<std::string, TechniqueMask>> ways = {
+      {"path", mask_of([](int s, int) { return s <= 1; })},
+      {"light", mask_of([](int, int t) { return t <= 1; })},
+      {"two-way", mask_of([](int s, int t) { return s <= 1 || t <= 1; })},
+      {"bidirectional", {}},
+      {"s >= 1", mask_of([](int s, int) { return s >= 1; })},
+  };
+  std::vector<BlockMeans> means;
+  std::vector<std::string> names;
+  for (const auto& [name, mask] : ways) {
+    TransportOptions options = options_for(mask, 4);
+    options.light_selection = means.size() == 2 ? LightSelection::Tree : LightSelection::Power;
+    options.light_start = means.size() == 3 ? StartBy::Uniform : StartBy::Power;
+    means.push_back(block_means(scene, camera, options, {.seeds = 24, .passes = 6, .first_seed = means.size() + 1}));
+    names.push_back(name);
+  }
+  EXPECT_GT(means[0].whole().mean(), 0.01);
+  expect_all_same(means, names);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TransportLights, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace bdpt
