@@ -505,6 +505,8 @@ typedef struct bdpt_material_desc {
                                           surfaces there; an index of refraction is relative to what is round it
                                           (Schmidt and Budge 2002). At most four may overlap: walks into a fifth end, and
                                           are counted as rejected */
+  float emission_exponent;             /* n in [-1,10000]: what is emitted is emission cosⁿ of the angle to the normal.
+                                          0 = Lambertian; -1 = the same intensity in all directions; more = a beam */
   uint32_t reserved;
 } bdpt_material_desc;
 
@@ -528,13 +530,25 @@ typedef int32_t bdpt_light_type;
 #define BDPT_LIGHT_ENVIRONMENT 2 /* radiance from all directions: the same from each, or a picture's */
 #define BDPT_LIGHT_DIRECTIONAL 3 /* light from far away: from one direction, or from a disc: a sun */
 
+/* What a luminaire sends into each direction, as measured: the table of an IES file of type C. Linear between angles. */
+typedef struct bdpt_photometry {
+  uint32_t struct_size;
+  uint32_t vertical_count;        /* 2 to 4096 */
+  uint32_t horizontal_count;      /* 1 to 4096 */
+  uint32_t reserved;
+  const float *vertical_angles;   /* from the light's direction, ascending, [0,180] degrees; dark outside of them */
+  const float *horizontal_angles; /* round it, ascending: 0 alone: all alike; or from 0 to 90, 180 or 360 degrees, the rest
+                                     mirrored. Counted from up, counterclockwise for who looks along the direction */
+  const float *intensities;       /* all vertical angles of the first horizontal one, then of the next; >= 0 */
+} bdpt_photometry;
+
 /* Area lights are instances whose material emits. A scene takes any number of lights of each kind; their light adds up. */
 typedef struct bdpt_light_desc {
   uint32_t struct_size;
   bdpt_light_type type;
   const char *label;
   float position[3];      /* point, spot */
-  float direction[3];     /* spot: the axis; directional: the way that light goes; of any length but zero */
+  float direction[3];     /* spot, photometry: the axis; directional: the way that light goes; of any length but zero */
   float intensity[3];     /* point, spot: W/sr, on the axis; >= 0 */
   float radiance[3];      /* environment: W/(m² sr), >= 0; multiplies the texture */
   float cone_angle;       /* spot: from axis to the dark, (0,180) degrees */
@@ -542,7 +556,8 @@ typedef struct bdpt_light_desc {
                              t²(3 - 2t) with t = (cos θ - cos a) / (cos(a - f) - cos a) */
   uint32_t group;         /* a number of your own, [0,63]: outputs of sensors may ask for some groups' light alone */
   uint32_t reserved;
-  bdpt_texture_id texture; /* environment: its picture, by longitude and latitude; zero = none. What a camera at rest
+  bdpt_texture_id texture; /* spot: its picture, the square round the cone across the axis, multiplies the intensity;
+                             cone_angle is at most 85 then. environment: its picture, by longitude and latitude; zero = none. What a camera at rest
                              sees, wrapped round: the middle is -z, the top edge +y, a quarter to the right +x. Bilinear;
                              its left and right edges meet */
   float transform[12];    /* environment: turns the picture, 3x4 row-major, without translation; may reflect and scale
@@ -551,6 +566,10 @@ typedef struct bdpt_light_desc {
   float irradiance[3];    /* directional: of a surface that faces it, W/m², >= 0 */
   float angular_radius;   /* directional: of the disc, [0,80] degrees; the sun's is 0.2665. 0 = one direction, which no
                              camera or mirror sees */
+  float up[3];            /* spot with a texture: where the picture's top is; photometry: where horizontal angles begin; of
+                             any length. Zero, or along the direction: +y, or -z where that is along it, too */
+  uint32_t reserved_2;
+  const bdpt_photometry *photometry; /* point: multiplies the intensity; NULL = the same in all directions */
 } bdpt_light_desc;
 
 /* Adds a light.

@@ -190,7 +190,7 @@ TEST_P(LightKinds, StartsAndDirectLightingKnowTheSameEmission) {
     DirectLight direct;
     if (!lighting.sample({x, Vec3(0)}, 0, double(uniform()), uniform(), uniform(), direct)) continue;
     const Rgb radiance = light().emitted(direct.y0, -direct.direction);
-    EXPECT_NEAR(radiance.g, direct.radiance.g, 1e-4 * radiance.g + 1e-6);
+    EXPECT_NEAR(radiance.g, direct.radiance.g, 1e-4 * radiance.g + 1e-5);
     EXPECT_FALSE(is_black(direct.radiance));
     // Whatever arrives, light subpaths can bring it, but at an edge, for rounding.
     if (norm(radiance) < 1e-5f) continue;
@@ -273,6 +273,51 @@ TEST(LightKinds, TheSunIsAsBrightAsItsIrradianceSays) {
     EXPECT_LT(deviation(irradiance, 2, 1e-3), kMaxDeviation) << degrees;
     EXPECT_GT(visible.mean(), 0.999) << degrees;
   }
+}
+
+// By hand: up is -z, and counterclockwise from there, looking down, comes -x.
+TEST(LightKinds, MeasuredIntensitiesAreLinearAndMirrored) {
+  LightDesc l;
+  l.direction = Vec3(0, -1, 0);
+  l.intensity = Rgb(2);
+  const auto along = [&](std::vector<float> horizontal, double c, double g) {
+    auto p = std::make_shared<Photometry>();
+    p->vertical = {0, 90};
+    p->horizontal = std::move(horizontal);
+    for (float h : p->horizontal) p->intensities.insert(p->intensities.end(), {10, h});
+    l.photometry = p;
+    scenes::Builder b;
+    b.light(l);
+    LightPoint y0;
+    y0.light = 0;
+    c *= M_PI / 180, g *= M_PI / 180;
+    const Vec3 w(float(-std::sin(c) * std::sin(g)), float(-std::cos(g)), float(-std::cos(c) * std::sin(g)));
+    return double(b.build()->lights().emitted(y0, w * 3).r) / 2;
+  };
+  EXPECT_NEAR(along({0}, 77, 45), 5, 1e-4);
+  EXPECT_NEAR(along({0}, 77, 91), 0, 0);
+  EXPECT_NEAR(along({0, 360}, 77, 45), 5 + 77 / 2.0, 1e-3);
+  EXPECT_NEAR(along({0, 360}, 300, 89.99999), 300, 1e-2);
+  EXPECT_NEAR(along({0, 180}, 300, 45), 5 + 60 / 2.0, 1e-3);
+  for (double c : {20.0, 160.0, 200.0, 340.0}) EXPECT_NEAR(along({0, 45, 90}, c, 45), 5 + 20 / 2.0, 1e-3) << c;
+}
+
+TEST(LightKinds, ASpotThrowsItsPictureUpright) {
+  LightDesc l = lights::projector(Vec3(0), 45);
+  l.direction = Vec3(0, 0, -1), l.up = Vec3(0, 2, 0), l.intensity = Rgb(1);
+  l.cos_inner = l.cos_outer + 1e-4f;
+  l.texture = scenes::picture(3, 3, [](uint32_t x, uint32_t y) { return Rgb(float(10 * y + x)); });
+  scenes::Builder b;
+  b.light(l);
+  const auto scene = b.build();
+  LightPoint y0;
+  y0.light = 0;
+  const auto toward = [&](float x, float y) { return scene->lights().emitted(y0, Vec3(x, y, -1)).r; };
+  EXPECT_NEAR(toward(0, 0), 11, 1e-4);
+  EXPECT_NEAR(toward(-2 / 3.0f, 0), 10, 1e-4);
+  EXPECT_NEAR(toward(0, 2 / 3.0f), 1, 1e-4);
+  EXPECT_NEAR(toward(1 / 3.0f, -1 / 3.0f), 16.5f, 1e-4);
+  EXPECT_EQ(toward(0.9f, 0.9f), 0);  // beyond the cone
 }
 
 TEST(LightKinds, APictureOfAnEnvironmentIsWhatACameraAtRestSees) {

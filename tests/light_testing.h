@@ -1,6 +1,7 @@
 // All kinds of light, for tests that hold for each of them.
 #pragma once
 
+#include "light/photometry.h"
 #include "scenes.h"
 
 #include <cmath>
@@ -25,6 +26,46 @@ inline scenes::MeshData square() {
   return scenes::quad(Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0));
 }
 
+inline Material beam(const Rgb& radiance, float exponent, bool two_sided) {
+  Material m = scenes::emitter(radiance, two_sided, 0.3f);
+  m.emission_exponent = exponent;
+  return m;
+}
+
+// Down, off the axes.
+inline LightDesc projector(const Vec3& position = Vec3(0.1f), double angle = 50) {
+  LightDesc l;
+  l.type = LightType::Spot;
+  l.position = position;
+  l.direction = unit(Vec3(-0.3f, -1, -0.4f));
+  l.up = Vec3(1, 1, 0);
+  l.cos_outer = float(std::cos(angle * M_PI / 180));
+  l.cos_inner = float(std::cos(0.7 * angle * M_PI / 180));
+  l.intensity = Rgb(2, 3, 2);
+  l.texture = scenes::picture(7, 5, [](uint32_t x, uint32_t y) {
+    return x == 2 && y == 3 ? Rgb(9, 9, 5) : (x + y) % 3 == 0 ? Rgb() : Rgb(1, 0.5f, 0.2f * float(x));
+  });
+  return l;
+}
+
+// Measured to this horizontal angle, from 10 degrees off the axis to 130.
+inline LightDesc luminaire(float last, const Vec3& position = Vec3(0.1f)) {
+  LightDesc l;
+  l.position = position;
+  l.direction = unit(Vec3(-0.3f, -1, -0.4f));
+  l.up = Vec3(1, 1, 0);
+  l.intensity = Rgb(0.5f, 1, 1);
+  auto p = std::make_shared<Photometry>();
+  p->vertical = {10, 20, 45, 60, 90, 130};
+  for (float h : {0.0f, 0.2f, 0.5f, 1.0f})
+    if (last > 0 || h == 0) p->horizontal.push_back(h * last);
+  for (size_t i = 0; i < p->horizontal.size(); ++i)
+    for (size_t k = 0; k < p->vertical.size(); ++k)
+      p->intensities.push_back((i + k) % 4 == 1 ? 0 : 1 + float((5 * i + 3 * k) % 7));
+  l.photometry = p;
+  return l;
+}
+
 inline std::vector<Kind> kinds() {
   using scenes::Builder;
   using Place = Kind::Place;
@@ -36,11 +77,19 @@ inline std::vector<Kind> kinds() {
        2 * M_PI * M_PI},
       {"sphere, two-sided", [=](Builder& b) { b.add_sphere(Vec3(0, 0, 1), 0.5f, scenes::emitter(c, true)); },
        Place::Direction, 4 * M_PI * M_PI},
+      {"mesh, beam", [=](Builder& b) { b.add(square(), beam(c, 5, false)); }, Place::Square, 2 * M_PI * 4 * 2 / 7},
+      {"mesh, even, two-sided", [=](Builder& b) { b.add(square(), beam(c, -1, true)); }, Place::Square,
+       4 * M_PI * 4 * 2},
+      {"sphere, even", [=](Builder& b) { b.add_sphere(Vec3(0, 0, 1), 0.5f, beam(c, -1, false)); }, Place::Direction,
+       2 * M_PI * M_PI * 2},
       {"point", [=](Builder& b) { b.point(Vec3(0.1f), c); }, Place::Point},
       {"spot", [=](Builder& b) { b.spot(Vec3(0.1f), Vec3(-1, -1, 0.5f), c, 50, 30); }, Place::Point},
       {"environment", [=](Builder& b) { b.environment(c); }, Place::Direction},
       {"environment map", [](Builder& b) { b.light(scenes::environment_map()); }, Place::Direction},
       {"directional", [](Builder& b) { b.light(scenes::directional(0)); }, Place::Point, 4},
+      {"projector", [](Builder& b) { b.light(projector()); }, Place::Point},
+      {"photometric", [](Builder& b) { b.light(luminaire(90)); }, Place::Point},
+      {"photometric, alike", [](Builder& b) { b.light(luminaire(0)); }, Place::Point},
       {"sun", [](Builder& b) { b.light(scenes::directional(20)); }, Place::Direction},
   };
 }

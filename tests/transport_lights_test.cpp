@@ -12,6 +12,7 @@ constexpr int kSize = 32;
 struct Case {
   std::string name;
   scenes::RoomOptions room;
+  std::vector<Material> lamp = {};  // of a square under the ceiling and a ball
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
@@ -28,13 +29,27 @@ std::vector<Case> cases() {
   sky.radiance = Rgb(0.5f, 0.6f, 1);
   add("sky_and_suns",
       {sky, scenes::directional(0, Rgb(1, 0, 0)), scenes::directional(3, Rgb(0, 2, 1)), scenes::environment_map(0.2f)});
+  const auto add_lamp = [&](const std::string& name, const Material& m) {
+    add(name, {});
+    all.back().lamp = {m};
+  };
+  add_lamp("even_lamps", lights::beam(Rgb(1, 1, 2), -1, true));
+  add_lamp("beams", lights::beam(Rgb(5, 4, 3), 6, false));
+  add("projector", {lights::projector(Vec3(0.1f, 0.8f, 0.2f), 60)});
+  add("photometric", {lights::luminaire(180, Vec3(0.1f, 0.5f, 0.2f))});
   return all;
 }
 
 class TransportLights : public testing::TestWithParam<Case> {};
 
 TEST_P(TransportLights, AllTechniquesGiveTheSamePicture) {
-  const ScenePointer scene = scenes::room(GetParam().room).build();
+  scenes::Builder b = scenes::room(GetParam().room);
+  for (const Material& m : GetParam().lamp) {
+    const Vec3 x(0.4f, 0, 0), z(0, 0, 0.3f), at(0, 0.85f, -0.2f);
+    b.add(scenes::quad(at - x - z, at + x - z, at + x + z, at - x + z), m);
+    b.add_sphere(Vec3(0.65f, 0.35f, -0.5f), 0.15f, m);
+  }
+  const ScenePointer scene = b.build();
   const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
   const std::vector<std::pair<std::string, TechniqueMask>> ways = {
       {"path", mask_of([](int s, int) { return s <= 1; })},

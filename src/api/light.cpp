@@ -2,6 +2,7 @@
 #include "api/check.h"
 #include "api/desc.h"
 #include "api/placement.h"
+#include "light/photometry.h"
 
 #include <Imath/ImathVec.h>
 
@@ -20,13 +21,55 @@ Vec3 read_direction(const Subject& subject, const bdpt_light_desc& desc) {
   return Vec3(direction / direction.length());
 }
 
-void read_spot(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
+void check_ascending(const Subject& subject, const char* field, const float* angles, uint32_t count, float most) {
+  for (uint32_t i = 0; i < count; ++i)
+    if (!(angles[i] >= 0 && angles[i] <= most) || (i > 0 && !(angles[i] > angles[i - 1])))
+      subject.refuse(field, "has the value ", angles[i], " at ", i, ": give ascending angles from 0 to ", most,
+                     " degrees");
+}
+
+void read_photometry(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
+  constexpr uint32_t kMaxAngles = 4096;
+  const bdpt_photometry p = read_struct(desc.photometry, "desc.photometry");
+  const Subject part("photometry", subject.label().c_str());
+  part.check_range("vertical_count", p.vertical_count, 2, kMaxAngles);
+  part.check_range("horizontal_count", p.horizontal_count, 1, kMaxAngles);
+  part.check_reserved("reserved", p.reserved);
+  for (const auto& [field, pointer] :
+       {std::pair("vertical_angles", p.vertical_angles), std::pair("horizontal_angles", p.horizontal_angles),
+        std::pair("intensities", p.intensities)})
+    if (!pointer) part.refuse(field, "is NULL: pass the table");
+  check_ascending(part, "vertical_angles", p.vertical_angles, p.vertical_count, 180);
+  check_ascending(part, "horizontal_angles", p.horizontal_angles, p.horizontal_count, 360);
+  const float last = p.horizontal_angles[p.horizontal_count - 1];
+  if (p.horizontal_angles[0] != 0 || (last != 0 && last != 90 && last != 180 && last != 360))
+    part.refuse("horizontal_angles", "go from ", p.horizontal_angles[0], " to ", last,
+                ": give 0 alone, or angles from 0 to 90, to 180 or to 360 degrees");
+  const uint32_t count = p.vertical_count * p.horizontal_count;
+  auto measured = std::make_shared<Photometry>();
+  measured->vertical.assign(p.vertical_angles, p.vertical_angles + p.vertical_count);
+  measured->horizontal.assign(p.horizontal_angles, p.horizontal_angles + p.horizontal_count);
+  measured->intensities.assign(p.intensities, p.intensities + count);
+  for (float v : measured->intensities)
+    if (!(v >= 0) || !std::isfinite(v * norm(to_rgb(desc.intensity))))
+      part.refuse("intensities", "has the value ", v, ": give finite values of at least 0");
+  light.photometry = measured;
+  light.direction = read_direction(subject, desc);
+  light.up = to_vec3(desc.up);
+}
+
+void read_spot(const Subject& subject, const bdpt_light_desc& desc, const TextureEntry* texture, LightDesc& light) {
   light.direction = read_direction(subject, desc);
   if (!(desc.cone_angle > 0 && desc.cone_angle < 180))
     subject.refuse("cone_angle", "is ", desc.cone_angle, ": give an angle above 0 and below 180 degrees");
   if (!(desc.cone_falloff >= 0 && desc.cone_falloff <= desc.cone_angle))
     subject.refuse("cone_falloff", "is ", desc.cone_falloff, ": give a value from 0 to cone_angle (", desc.cone_angle,
                    ")");
+  if (texture && !(desc.cone_angle <= 85))
+    subject.refuse("cone_angle", "is ", desc.cone_angle, ": a spot with a texture has at most 85 degrees");
+  if (texture && !std::isfinite(norm(light.intensity) * texture->maximum))
+    subject.refuse("intensity", "times texels up to ", texture->maximum, " is no finite number: give less");
+  light.up = to_vec3(desc.up);
   light.cos_outer = cos_degrees(desc.cone_angle);
   light.cos_inner = cos_degrees(double(desc.cone_angle) - double(desc.cone_falloff));
 }
@@ -63,13 +106,17 @@ LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
   subject.check_not_negative("irradiance", desc.irradiance, 3);
   subject.check_finite("angular_radius", desc.angular_radius);
   subject.check_finite("transform", desc.transform, 12);
+  subject.check_finite("up", desc.up, 3);
+  subject.check_reserved("reserved_2", desc.reserved_2);
   subject.check_range("group", desc.group, 0, 63);
   const TextureEntry* texture = nullptr;
   if (desc.texture.id != 0) {
     texture = &builder.textures.at(desc.texture.id, "desc.texture");
-    if (desc.type != BDPT_LIGHT_ENVIRONMENT)
-      subject.refuse("texture", "is set: only an environment has a picture; set it to zero");
+    if (desc.type != BDPT_LIGHT_ENVIRONMENT && desc.type != BDPT_LIGHT_SPOT)
+      subject.refuse("texture", "is set: only environments and spots have a picture; set it to zero");
   }
+  if (desc.photometry && desc.type != BDPT_LIGHT_POINT)
+    subject.refuse("photometry", "is set: only points have a measured luminaire's intensities; set it to NULL");
   LightEntry entry;
   entry.texture = desc.texture.id;
   LightDesc& light = entry.light;
@@ -78,7 +125,8 @@ LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
   light.type = static_cast<LightType>(desc.type);
   light.position = to_vec3(desc.position);
   if (light.has_position()) light.intensity = to_rgb(desc.intensity);
-  if (desc.type == BDPT_LIGHT_SPOT) read_spot(subject, desc, light);
+  if (desc.type == BDPT_LIGHT_SPOT) read_spot(subject, desc, texture, light);
+  if (desc.photometry) read_photometry(subject, desc, light);
   if (desc.type == BDPT_LIGHT_ENVIRONMENT) read_environment(subject, desc, texture, light);
   if (desc.type == BDPT_LIGHT_DIRECTIONAL) read_directional(subject, desc, light);
   return entry;

@@ -26,6 +26,7 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_enum("opacity_mode", desc.opacity_mode, BDPT_OPACITY_BLEND);
   subject.check_range("opacity", &desc.opacity, 1, 0, 1);
   subject.check_range("opacity_cutoff", &desc.opacity_cutoff, 1, 0, 1);
+  subject.check_range("emission_exponent", desc.emission_exponent, -1, 10000);
 }
 
 // What only the type in question asks for.
@@ -86,6 +87,7 @@ MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& des
   if (desc.interior.id != 0) builder.media.at(desc.interior.id, "desc.interior");
   entry.medium = desc.interior.id;
   read_texture_uses(builder, subject, desc, entry);
+  m.emission_exponent = desc.emission_exponent;
   return entry;
 }
 

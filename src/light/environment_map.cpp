@@ -1,7 +1,6 @@
 // Radiance from all directions by a picture.
 #include "light/environment_map.h"
 
-#include "geometry/texture.h"
 #include "light/infinity.h"
 #include "light/kinds.h"
 
@@ -17,12 +16,8 @@ constexpr double kLeast = 0.1;
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(std::shared_ptr<const Texture> picture, const Rgb& scale, const Transform& to_world)
-    : picture_(std::move(picture)),
-      scale_(scale),
-      to_world_(to_world),
-      width_(picture_->width()),
-      height_(picture_->height()) {
+EnvironmentMap::EnvironmentMap(const Picture& picture, const Transform& to_world)
+    : picture_(picture), to_world_(to_world), width_(picture.width()), height_(picture.height()) {
   for (uint32_t y = 0; y <= height_; ++y) {
     const double s = std::sin(std::numbers::pi * y / height_ / 2);
     edges_.push_back(s * s);
@@ -33,29 +28,15 @@ EnvironmentMap::EnvironmentMap(std::shared_ptr<const Texture> picture, const Rgb
     inverse_solid_angle_.push_back(float(1 / solid_angle[y]));
   }
   all_ = TexelTable(width_, height_, [&](uint32_t x, uint32_t y) {
-    const double part = mean(x, y) * solid_angle[y];
+    const double part = picture_.mean(x, y) * solid_angle[y];
     total_ += part;
     return part;
   });
   const double average = total_ / (2 * kTwoPiExactly);
   direct_ = TexelTable(width_, height_, [&](uint32_t x, uint32_t y) {
-    const double m = mean(x, y);
+    const double m = picture_.mean(x, y);
     return std::max(m - average, kLeast * m) * solid_angle[y];
   });
-}
-
-Rgb EnvironmentMap::texel(int64_t x, int64_t y) const {
-  const int64_t w = width_, h = height_;
-  return picture_->texel(uint32_t((x + w) % w), uint32_t(std::clamp<int64_t>(y, 0, h - 1))) * scale_;
-}
-
-// The mean over a texel of what is linear between the middles of texels: 1/8, 6/8 and 1/8 of three.
-double EnvironmentMap::mean(uint32_t x, uint32_t y) const {
-  constexpr float kPart[] = {0.125f, 0.75f, 0.125f};
-  Rgb sum;
-  for (int j = -1; j <= 1; ++j)
-    for (int i = -1; i <= 1; ++i) sum += texel(int64_t(x) + i, int64_t(y) + j) * (kPart[i + 1] * kPart[j + 1]);
-  return double(norm(sum));
 }
 
 EnvironmentMap::Place EnvironmentMap::place_of(const Vec3& w) const {
@@ -67,23 +48,16 @@ EnvironmentMap::Place EnvironmentMap::place_of(const Vec3& w) const {
 
 Rgb EnvironmentMap::radiance(const Vec3& w) const {
   const Place p = place_of(w);
-  const float x = p.x - 0.5f, y = p.y - 0.5f, fx = std::floor(x), fy = std::floor(y);
-  const float wx = x - fx, wy = y - fy;
-  const int64_t x0 = int64_t(fx), y0 = int64_t(fy);
-  return (texel(x0, y0) * (1 - wx) + texel(x0 + 1, y0) * wx) * (1 - wy) +
-         (texel(x0, y0 + 1) * (1 - wx) + texel(x0 + 1, y0 + 1) * wx) * wy;
+  return picture_.at(p.x, p.y);
 }
 
 Vec3 EnvironmentMap::sample(bool direct, double rest, float u1, float u2) const {
   const TexelTable& table = direct ? direct_ : all_;
   if (table.empty()) return {0, 1, 0};  // black
-  // More digits for both: a picture may have a sun, and beside it many texels that are hardly ever chosen.
-  const double digits = rest * 0x1p12, high = std::floor(digits);
-  double u = join(u1, float(high * 0x1p-12)), v = join(u2, float(digits - high));
-  const TexelTable::Texel t = table.sample(u, v);
-  const double s = edges_[t.y] + v * (edges_[t.y + 1] - edges_[t.y]);
+  const TexelTable::Place t = table.sample(rest, u1, u2);
+  const double s = edges_[t.y] + t.v * (edges_[t.y + 1] - edges_[t.y]);
   const double y = 1 - 2 * s, r = 2 * std::sqrt(std::max(0.0, s * (1 - s)));
-  const double phi = kTwoPiExactly * ((double(t.x) + u) / width_ - 0.5);
+  const double phi = kTwoPiExactly * ((double(t.x) + t.u) / width_ - 0.5);
   return unit(to_world_.vector(Vec3(float(r * std::sin(phi)), float(y), float(-r * std::cos(phi)))));
 }
 
@@ -133,7 +107,7 @@ const LightKind kEnvironmentMapLight = {
 
 std::unique_ptr<LightData> make_environment_map(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::EnvironmentMap;
-  return std::make_unique<EnvironmentMap>(desc.texture, desc.radiance, desc.transform);
+  return std::make_unique<EnvironmentMap>(Picture(desc.texture, desc.radiance, true), desc.transform);
 }
 
 }  // namespace bdpt

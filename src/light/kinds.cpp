@@ -3,16 +3,16 @@
 namespace bdpt {
 
 const LightKind* const kLightKinds[] = {
-    &kMeshLight,        &kSphereLight,         &kPointLight,       &kSpotLight,
-    &kEnvironmentLight, &kEnvironmentMapLight, &kDirectionalLight, &kSunLight,
+    &kMeshLight,           &kSphereLight,      &kPointLight, &kSpotLight,      &kEnvironmentLight,
+    &kEnvironmentMapLight, &kDirectionalLight, &kSunLight,   &kProjectorLight, &kPhotometricLight,
 };
 
 std::unique_ptr<LightData> make_light(const LightDesc& desc, Light& light) {
   switch (desc.type) {
     case LightType::Point:
-      return make_point(desc, light);
+      return desc.photometry ? make_photometric(desc, light) : make_point(desc, light);
     case LightType::Spot:
-      return make_spot(desc, light);
+      return desc.texture ? make_projector(desc, light) : make_spot(desc, light);
     case LightType::Environment:
       return desc.texture ? make_environment_map(desc, light) : make_environment(desc, light);
     case LightType::Directional:

@@ -8,12 +8,13 @@
 namespace bdpt {
 
 extern const LightKind kMeshLight, kSphereLight, kPointLight, kSpotLight, kEnvironmentLight, kEnvironmentMapLight,
-    kDirectionalLight, kSunLight;
+    kDirectionalLight, kSunLight, kProjectorLight, kPhotometricLight;
 
 // Of a light without a surface: sets what the kind keeps in the record, and returns what it keeps beyond. center and
 // radius are the scene's.
 using MakeLight = std::unique_ptr<LightData>(const LightDesc& desc, Light& light);
-MakeLight make_point, make_spot, make_environment, make_environment_map, make_directional, make_sun;
+MakeLight make_point, make_spot, make_environment, make_environment_map, make_directional, make_sun, make_projector,
+    make_photometric;
 
 std::unique_ptr<LightData> make_light(const LightDesc& desc, Light& light);
 

@@ -52,7 +52,18 @@ struct LightData {
 };
 
 // In the order of the table in kinds.cpp.
-enum class LightKindId : uint8_t { Mesh, Sphere, Point, Spot, Environment, EnvironmentMap, Directional, Sun };
+enum class LightKindId : uint8_t {
+  Mesh,
+  Sphere,
+  Point,
+  Spot,
+  Environment,
+  EnvironmentMap,
+  Directional,
+  Sun,
+  Projector,
+  Photometric
+};
 
 // All that most questions need is in one cache line.
 struct alignas(64) Light {
@@ -68,6 +79,7 @@ struct alignas(64) Light {
   Rgb radiance;            // intensity of a point
   Vec3 center{0, 0, 0};    // of a sphere; a point's position; of infinite lights: the scene's
   float radius = 0;        // of a sphere; of infinite lights: the scene's
+  float exponent = 0;      // of an area light: radiance goes with the cosine to this power
 };
 static_assert(sizeof(Light) == 64);
 

@@ -9,6 +9,7 @@
 namespace bdpt {
 
 class Texture;
+struct Photometry;
 
 enum class LightType { Point, Spot, Environment, Directional };
 
@@ -16,17 +17,19 @@ struct LightDesc {
   std::string label;
   LightType type = LightType::Point;
   Vec3 position;
-  Vec3 direction{0, 0, -1};                // unit; spot, directional: the way that light goes
-  Rgb intensity;                           // point, spot
-  Rgb radiance;                            // environment; with a texture its factor
-  float cos_outer = 0;                     // spot: cosine where it is dark
-  float cos_inner = 0;                     // spot: cosine where it is full, >= cos_outer
-  std::shared_ptr<const Texture> texture;  // environment
-  Transform transform;                     // of the environment's texture: orthonormal, may reflect
-  Rgb irradiance;                          // directional: of a surface that faces it
-  double angular_radius = 0;               // directional, in radians: of a disc; 0: a Dirac
-  uint32_t group = 0;                      // below 64; outputs may ask for some groups' light
-  uint64_t id = 0;                         // the host's; decides nothing
+  Vec3 direction{0, 0, -1};                      // unit; spot, directional: the way that light goes
+  Rgb intensity;                                 // point, spot
+  Rgb radiance;                                  // environment; with a texture its factor
+  float cos_outer = 0;                           // spot: cosine where it is dark
+  float cos_inner = 0;                           // spot: cosine where it is full, >= cos_outer
+  Vec3 up{0, 0, 0};                              // spot with a texture, photometry; zero: see LightAxes
+  std::shared_ptr<const Photometry> photometry;  // point: times intensity
+  std::shared_ptr<const Texture> texture;        // environment, spot
+  Transform transform;                           // of the environment's texture: orthonormal, may reflect
+  Rgb irradiance;                                // directional: of a surface that faces it
+  double angular_radius = 0;                     // directional, in radians: of a disc; 0: a Dirac
+  uint32_t group = 0;                            // below 64; outputs may ask for some groups' light
+  uint64_t id = 0;                               // the host's; decides nothing
 
   // Whether it is at its position.
   bool has_position() const { return type == LightType::Point || type == LightType::Spot; }

@@ -1,8 +1,8 @@
 #include "light/lights.h"
 
 #include "geometry/texture.h"
-#include "light/environment_map.h"
 #include "light/kinds.h"
+#include "light/texel_table.h"
 
 #include <limits>
 
@@ -28,6 +28,7 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
     light.two_sided = a.two_sided;
     light.group = uint8_t(a.group);
     light.radiance = a.radiance;
+    light.exponent = a.exponent;
     light.inverse_area = 1 / a.area;
     light.center = a.center;
     light.radius = a.radius;
@@ -58,7 +59,7 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
 uint64_t Lights::table_bytes(const std::vector<LightDesc>& lights) {
   uint64_t bytes = 0;
   for (const LightDesc& l : lights)
-    if (l.texture) bytes += EnvironmentMap::memory_of(l.texture->width(), l.texture->height());
+    if (l.texture) bytes += (l.has_position() ? 1 : 2) * TexelTable::memory_of(l.texture->width(), l.texture->height());
   return bytes;
 }
 

@@ -24,6 +24,7 @@ class Lights {
     int instance = -1;
     Rgb radiance;
     uint32_t group = 0;  // see LightDesc
+    float exponent = 0;  // see Light
     bool two_sided = false;
     bool is_sphere = false;
     Vec3 center{0, 0, 0};  // sphere

@@ -1,4 +1,6 @@
 // A point that shines into a cone, with a smooth edge.
+#include "light/spot.h"
+
 #include "light/kinds.h"
 #include "light/point.h"
 #include "sampling/warp.h"
@@ -9,45 +11,39 @@ namespace {
 
 struct Spot : LightData {
   Vec3 axis;
-  float cos_outer, cos_inner;
+  SpotCone cone;
 };
 
 const Spot& spot_of(const Light& light) { return static_cast<const Spot&>(*light.data); }
 
 double power(const Light& light) {
   const Spot& s = spot_of(light);
-  return 2.0 * kPi * norm(light.radiance) * (1 - 0.5 * (double(s.cos_inner) + s.cos_outer));
+  return 2.0 * kPi * norm(light.radiance) * (1 - 0.5 * (double(s.cone.cos_inner) + s.cone.cos_outer));
 }
 
 void start(const Light& light, const StartNumbers& u, LightStart& start) {
   const Spot& s = spot_of(light);
   start.y0.p = start.origin = light.center;
-  start.direction = Frame(s.axis).to_world(sample_cone(u.v1, u.v2, 1 - s.cos_outer));
-}
-
-float falloff(const Spot& s, float cosine) {
-  if (cosine <= s.cos_outer) return 0;
-  if (cosine >= s.cos_inner) return 1;
-  const float t = (cosine - s.cos_outer) / (s.cos_inner - s.cos_outer);
-  return t * t * (3 - 2 * t);
+  start.direction = Frame(s.axis).to_world(sample_cone(u.v1, u.v2, 1 - s.cone.cos_outer));
 }
 
 Rgb emitted(const Light& light, const LightPoint&, const Vec3& w) {
   const Spot& s = spot_of(light);
-  return light.radiance * falloff(s, dot(w, s.axis) / length(w));
+  return light.radiance * s.cone.falloff(dot(w, s.axis) / length(w));
 }
 
 float direction_density(const Light& light, const LightPoint&, const Vec3& w) {
   const Spot& s = spot_of(light);
-  return dot(w, s.axis) > s.cos_outer ? 1 / (kTwoPi * (1 - s.cos_outer)) : 0;
+  return dot(w, s.axis) > s.cone.cos_outer ? 1 / (kTwoPi * (1 - s.cone.cos_outer)) : 0;
 }
 
 Emitter bounds(const Light& light) {
   const Spot& s = spot_of(light);
   Emitter e = bounds_of_point(light);
   e.axis = s.axis;
-  e.cos_o = s.cos_inner;
-  e.cos_e = std::cos(std::acos(double(s.cos_outer)) - std::acos(double(s.cos_inner))) - 1e-4;  // cosines are rounded
+  e.cos_o = s.cone.cos_inner;
+  e.cos_e = std::cos(std::acos(double(s.cone.cos_outer)) - std::acos(double(s.cone.cos_inner))) -
+            1e-4;  // cosines are rounded
   return e;
 }
 
@@ -73,8 +69,7 @@ std::unique_ptr<LightData> make_spot(const LightDesc& desc, Light& light) {
   light.radiance = desc.intensity;
   auto spot = std::make_unique<Spot>();
   spot->axis = desc.direction;
-  spot->cos_outer = desc.cos_outer;
-  spot->cos_inner = desc.cos_inner;
+  spot->cone = {desc.cos_outer, desc.cos_inner};
   return spot;
 }
 

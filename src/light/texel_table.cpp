@@ -20,14 +20,16 @@ TexelTable::TexelTable(uint32_t width, uint32_t height, const std::function<doub
   rows_ = Discrete(rows);
 }
 
-TexelTable::Texel TexelTable::sample(double& u, double& v) const {
+TexelTable::Place TexelTable::sample(double rest, float u1, float u2) const {
+  const double digits = rest * 0x1p12, high = std::floor(digits);
+  const double u = join(u1, float(high * 0x1p-12));
+  double v = join(u2, float(digits - high));
   const uint32_t y = uint32_t(rows_.sample(v));
   const uint32_t* row = &sums_[size_t(y) * width_];
   const double at = u * double(row[width_ - 1]);
   const uint32_t x = uint32_t(std::upper_bound(row, row + width_ - 1, uint32_t(at)) - row);
   const uint32_t below = x > 0 ? row[x - 1] : 0;
-  u = std::clamp((at - below) / (row[x] - below), 0.0, 0x1.fffffffffffffp-1);
-  return {x, y};
+  return {x, y, std::clamp((at - below) / (row[x] - below), 0.0, 0x1.fffffffffffffp-1), v};
 }
 
 float TexelTable::probability(uint32_t x, uint32_t y) const {

@@ -16,12 +16,15 @@ class TexelTable {
 
   // Without any texel that has a chance.
   bool empty() const { return rows_.empty(); }
-  struct Texel {
+  struct Place {
     uint32_t x, y;
+    double u, v;  // within the texel, [0,1)
   };
-  // Chooses a texel: v its row, u the one in it; both are stretched back to [0,1). Not of an empty table.
-  Texel sample(double& u, double& v) const;
+  // u chooses the column, v the row. rest: 48 bits of which both take some: a picture may have a sun, and beside it
+  // many texels that are hardly ever chosen. Not of an empty table.
+  Place sample(double rest, float u, float v) const;
   float probability(uint32_t x, uint32_t y) const;
+  static uint64_t memory_of(uint32_t width, uint32_t height) { return uint64_t(width) * height * sizeof(uint32_t); }
 
  private:
   Discrete rows_;

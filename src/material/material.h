@@ -34,6 +34,7 @@ struct Material {
   uint16_t encloses = 0;  // number in the scene's Interiors; 0 = nothing that counts
   Rgb emission;
   bool emission_two_sided = false;
+  float emission_exponent = 0;  // radiance goes with the cosine to this power
   uint32_t emission_group = 0;  // see LightDesc
 
   bool is_smooth() const { return alpha_u == 0; }

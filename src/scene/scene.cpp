@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include "geometry/margin.h"
+#include "light/photometry.h"
 #include "sampling/hash.h"
 
 #include <limits>
@@ -71,6 +72,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
       h = hash_combine(h, uint64_t(o.mode));
       add_lookup(o.texture, o.channel, o.uv, o.sampler);
     }
+    if (m.emission_exponent != 0) add(m.emission_exponent);
   }
   for (const auto& medium : desc.media) {
     const float numbers[] = {medium->sigma_a.r, medium->sigma_a.g, medium->sigma_a.b, medium->sigma_s.r,
@@ -93,6 +95,8 @@ uint64_t hash_scene(const SceneDesc& desc) {
       h = hash_combine(h, l.texture->content_hash());
       add(l.transform.m);
     }
+    if (l.photometry) h = hash_combine(h, l.photometry->hash());
+    if (l.photometry || l.texture) add(l.up);
   }
   for (const InstanceDesc& i : desc.instances) {
     add(i.transform.m);
@@ -113,7 +117,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   booking_ = Booking(meter, world_position_bytes(), "the scene's world positions");
   number_enclosures();
   place_instances();
-  light_booking_ = Booking(meter, Lights::table_bytes(desc_.lights), "the tables of the scene's environment maps");
+  light_booking_ = Booking(meter, Lights::table_bytes(desc_.lights), "the tables of the scene's lights' pictures");
   collect_lights();
 
   const uint64_t before = device->memory();
@@ -238,6 +242,7 @@ void Scene::collect_lights() {
     Lights::AreaLight light;
     light.instance = int(i);
     light.radiance = instance.material->emission;
+    light.exponent = instance.material->emission_exponent;
     light.two_sided = instance.material->emission_two_sided;
     light.group = instance.material->emission_group;
     if (instance.sphere) {
