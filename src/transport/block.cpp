@@ -158,6 +158,7 @@ Vertex Block::sensor_vertex(uint32_t sample) const {
   z.sums = strategy_->classes.t0;  // what scatter_to_eye tells is u_0's part
   z.throughput = Rgb(z0.weight_position);
   z.previous_index = kNoVertex;
+  z.joinable = true;
   z.count = 1;
   z.margin = z0.margin;
   return z;
