@@ -444,6 +444,7 @@ typedef int32_t bdpt_slot;
 #define BDPT_SLOT_NORMAL 2      /* a tangent-space normal map: 2 rgb - 1, x along u, y along v; x and y times scale */
 #define BDPT_SLOT_BUMP 3        /* the surface seems raised along its normal by a channel times scale, in world units */
 #define BDPT_SLOT_OPACITY 4     /* number */
+#define BDPT_SLOT_EMISSION 5    /* colour; not on spheres. Such a light is sampled by its texels */
 
 typedef int32_t bdpt_wrap;
 #define BDPT_WRAP_REPEAT 0
@@ -556,10 +557,10 @@ typedef struct bdpt_light_desc {
                              t²(3 - 2t) with t = (cos θ - cos a) / (cos(a - f) - cos a) */
   uint32_t group;         /* a number of your own, [0,63]: outputs of sensors may ask for some groups' light alone */
   uint32_t reserved;
-  bdpt_texture_id texture; /* spot: its picture, the square round the cone across the axis, multiplies the intensity;
-                             cone_angle is at most 85 then. environment: its picture, by longitude and latitude; zero = none. What a camera at rest
-                             sees, wrapped round: the middle is -z, the top edge +y, a quarter to the right +x. Bilinear;
-                             its left and right edges meet */
+  bdpt_texture_id texture; /* zero = none. Bilinear. environment: its picture, by longitude and latitude, what a camera
+                             at rest sees, wrapped round: the middle is -z, the top edge +y, a quarter to the right +x.
+                             spot: its picture, thrown onto the square round the cone, across the axis; multiplies the
+                             intensity; cone_angle is at most 85 then */
   float transform[12];    /* environment: turns the picture, 3x4 row-major, without translation; may reflect and scale
                              alike, which does nothing; zeros = identity. OpenEXR's latitude-longitude maps have +z in
                              the middle: half a turn about y */
@@ -584,6 +585,20 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_light_update(bdpt_builder *builder, bdpt_li
  * Returns: BDPT_ERROR_INVALID_ID, _INVALID_ARGUMENT. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: none. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_light_remove(bdpt_builder *builder, bdpt_light_id light);
+
+typedef struct bdpt_sky_desc {
+  uint32_t struct_size;
+  uint32_t width, height; /* of the picture, 1 to 65536 */
+  float turbidity;        /* of haze: 2 is very clear, 6 hazy; [1.7,10]; 0 = 3 */
+  float to_sun[3];        /* of any length but zero; y >= 0 */
+  float ground[3];        /* what stands below the horizon, >= 0 */
+} bdpt_sky_desc;
+
+/* Fills a picture for the texture of an environment with a clear sky, without its sun, +y up: 3 floats a pixel, linear Rec.
+ * 709, packed, the top row first; luminance is in kcd/m². capacity: floats that pixels holds.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: writes to pixels.
+ * Source: Preetham, Shirley and Smits (1999). */
+BDPT_API BDPT_CHECK bdpt_result bdpt_sky_fill(const bdpt_sky_desc *desc, float *pixels, uint64_t capacity);
 
 typedef struct bdpt_instance_desc {
   uint32_t struct_size;
@@ -1215,8 +1230,8 @@ typedef int32_t bdpt_light_start;
                                          (1997), 10.7. bdpt_render_create traces a pilot of 8192 to 65536 samples to
                                          find it; they count in the statistics */
 
-/* How direct lighting (s = 1) chooses a light for the point that is lit. A light is a point, a spot, an environment, or
- * an instance that emits. */
+/* How direct lighting (s = 1) chooses a light for the point that is lit. A light is one that was added, or an
+ * instance that emits. */
 typedef int32_t bdpt_light_selection;
 #define BDPT_LIGHT_SELECTION_POWER 0   /* one light, by emitted power; a point on it by area */
 #define BDPT_LIGHT_SELECTION_UNIFORM 1 /* one light, every light alike */

@@ -103,6 +103,21 @@ TEST(ApiStructSize, BuilderStructsAreReadBySize) {
                          [&](bdpt_light_desc* d) { return bdpt_light_add(b, d, &light); });
   check<bdpt_light_desc>("bdpt_light_update", 72, point,
                          [&](bdpt_light_desc* d) { return bdpt_light_update(b, first_light, d); });
+  const float vertical[] = {0, 90}, horizontal[] = {0}, intensities[] = {1, 2};
+  bdpt_photometry photometry = make<bdpt_photometry>();
+  photometry.vertical_count = 2, photometry.horizontal_count = 1;
+  photometry.vertical_angles = vertical, photometry.horizontal_angles = horizontal;
+  photometry.intensities = intensities;
+  check<bdpt_photometry>("bdpt_photometry", 40, photometry, [&](bdpt_photometry* p) {
+    bdpt_light_desc d = point;
+    d.direction[1] = -1;
+    d.photometry = p;
+    return bdpt_light_add(b, &d, &light);
+  });
+  bdpt_sky_desc sky = make<bdpt_sky_desc>();
+  sky.width = sky.height = 1, sky.to_sun[1] = 1;
+  float pixel[3];
+  check<bdpt_sky_desc>("bdpt_sky_desc", 40, sky, [&](bdpt_sky_desc* d) { return bdpt_sky_fill(d, pixel, 3); });
   bdpt_instance_id instance{};
   const bdpt_instance_desc place = instance_desc(contents.square, contents.grey);
   check<bdpt_instance_desc>("bdpt_instance_desc", 80, place,

@@ -37,6 +37,7 @@ BDPT_VERSION_1_SIZE(bdpt_medium_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_material_desc, 96);
 BDPT_VERSION_1_SIZE(bdpt_light_desc, 72);
 BDPT_VERSION_1_SIZE(bdpt_photometry, 40);
+BDPT_VERSION_1_SIZE(bdpt_sky_desc, 40);
 BDPT_VERSION_1_SIZE(bdpt_instance_desc, 80);
 BDPT_VERSION_1_SIZE(bdpt_build_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_scene_info, 88);
