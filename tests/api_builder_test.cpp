@@ -209,7 +209,7 @@ TEST_F(ApiBuilder, LightsAreChecked) {
   const auto refused = [&](const std::function<void(bdpt_light_desc&)>& change) {
     EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_light(change)) << bdpt_last_error();
   };
-  refused([](auto& d) { d.type = 3; });
+  refused([](auto& d) { d.type = 4; });
   refused([](auto& d) { d.direction[2] = 0; });
   refused([](auto& d) { d.direction[0] = kNan; });
   refused([](auto& d) { d.position[0] = kInfinity; });

@@ -54,7 +54,13 @@ ScenePointer lit_room(const Room& room = {}) {
     b.add_sphere(Vec3(0.4f, -0.5f, 0.3f), 0.4f, scenes::dielectric(1.5f));
   else
     b.add(scenes::ball(Vec3(0.4f, -0.5f, 0.3f), 0.4f, 4, true), scenes::conductor(0.5f, 0.5f));
-  if (room.sky) b.environment(Rgb(1, 1.5f, 2), 1);
+  if (room.sky) {
+    b.environment(Rgb(1, 1.5f, 2), 1);
+    LightDesc sun = scenes::directional(20, Rgb(0.5f)), clouds = scenes::environment_map(0.1f);
+    sun.direction = unit(Vec3(-1, -0.6f, 0.2f));
+    sun.group = clouds.group = 1;
+    b.light(sun).light(clouds);
+  }
   if (room.spot) b.spot(Vec3(-0.5f, 0.5f, 0.5f), Vec3(0.5f, -1, -0.3f), Rgb(2, 1, 1), 60, 25);
   return b.build();
 }

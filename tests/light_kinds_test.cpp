@@ -80,7 +80,10 @@ class LightKinds : public testing::TestWithParam<Kind> {
     if (GetParam().place == Kind::Place::Square) {
       area = 4;
       y0.p = Vec3(2 * place.x - 1, 2 * place.y - 1, 0);
+      // Corners (-1,-1), (1,-1), (1,1) and (-1,-1), (1,1), (-1,1).
       y0.primitive = y0.p.x < y0.p.y;
+      const float x = place.x, y = place.y;
+      y0.b = y0.primitive ? Vec2(x, y - x) : Vec2(x - y, y);
     } else {
       y0.normal = direction_of(place);
       area = 4 * M_PI;
@@ -128,7 +131,7 @@ TEST_P(LightKinds, DirectionsOfStartsFollowTheirDensity) {
       const Vec3 p = Frame(s.y0.normal).to_local(s.origin - center) * float(std::sqrt(M_PI / disk_));
       EXPECT_NEAR(p.z, 1, 1e-4);
       histogram.add({p.x * p.x + p.y * p.y, (std::atan2(p.y, p.x) + kPi) / kTwoPi});
-    } else if (is_black(s.weight)) {
+    } else if (s.density_direction == 0) {
       histogram.miss();
     } else {
       histogram.add(square_of(s.y0.has_area ? Frame(s.y0.normal).to_local(s.direction) : s.direction));
@@ -214,7 +217,8 @@ TEST_P(LightKinds, WhatShinesMayBeSampled) {
     ++shining;
     EXPECT_GT(light().position_density(y0, {}), 0);
     EXPECT_GT(light().direction_density(y0, w), 0);
-    if (y0.infinite || absdot(y0.normal, w) > 0.1f) EXPECT_GE(light().direct_density(y0, x, 1), 0);
+    const bool far_side = !y0.infinite && GetParam().place == Kind::Place::Direction;  // of a sphere
+    EXPECT_TRUE(far_side || light().direct_density(y0, x, 1) > 0);
   }
   EXPECT_GT(shining, 500);
 }
@@ -229,9 +233,17 @@ TEST_P(LightKinds, StartsCarryThePower) {
     for (int j = 0; j < fine; ++j)
       for (int i = 0; i < fine; ++i) {
         LightPoint y0 = like.y0;
-        const Vec3 w = direction_of({(float(i) + 0.5f) / float(fine), (float(j) + 0.5f) / float(fine)});
-        if (y0.infinite) y0.normal = w;
-        power += double(light().emitted(y0, w).g) * 4 * M_PI / (double(fine) * fine);
+        const Vec2 place((float(i) + 0.5f) / float(fine), (float(j) + 0.5f) / float(fine));
+        double area = 4 * M_PI;
+        Vec3 w = direction_of(place);
+        if (GetParam().place == Kind::Place::Square) {  // Lambertian
+          y0 = point_at(place, like.y0, area);
+          w = Vec3(0, 0, 1);
+          area *= M_PI * (is_black(light().emitted(y0, -w)) ? 1 : 2);
+        } else if (y0.infinite) {
+          y0.normal = w;
+        }
+        power += double(light().emitted(y0, w).g) * area / (double(fine) * fine);
       }
   }
   if (like.y0.infinite) power *= disk_;
@@ -242,8 +254,9 @@ TEST_P(LightKinds, StartsCarryThePower) {
     most.add(double(norm(s.weight)));
   }
   EXPECT_LT(deviation(carried, power, 2e-3 * power), kMaxDeviation) << carried.mean() << " should be " << power;
-  // By what lights are chosen: not exact, but near enough.
-  EXPECT_NEAR(light().power(0), most.mean(), 0.15 * most.mean());
+  // By what lights are chosen: not exact, but near enough; of textured meshes by few places.
+  EXPECT_GT(light().power(0), 0.85 * most.mean());
+  EXPECT_LT(light().power(0), (GetParam().name.starts_with("textured") ? 1.5 : 1.15) * most.mean());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LightKinds, testing::ValuesIn(lights::kinds()), [](const auto& info) {

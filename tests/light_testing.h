@@ -26,8 +26,8 @@ inline scenes::MeshData square() {
   return scenes::quad(Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0));
 }
 
-inline Material beam(const Rgb& radiance, float exponent, bool two_sided) {
-  Material m = scenes::emitter(radiance, two_sided, 0.3f);
+inline MaterialDesc beam(const Rgb& radiance, float exponent, bool two_sided) {
+  MaterialDesc m = scenes::emitter(radiance, two_sided, 0.3f);
   m.emission_exponent = exponent;
   return m;
 }
@@ -66,6 +66,22 @@ inline LightDesc luminaire(float last, const Vec3& position = Vec3(0.1f)) {
   return l;
 }
 
+inline std::shared_ptr<const Texture> screen() {
+  return scenes::picture(6, 5, [](uint32_t x, uint32_t y) {
+    return x == 4 && y == 1 ? Rgb(3, 8, 3) : x < 3 && y > 1 ? Rgb() : Rgb(1, 0.25f * float(x + y), 2);
+  });
+}
+
+inline scenes::MeshData with_uv(scenes::MeshData mesh) {
+  mesh.uv = {Vec2(-0.3f, 0.1f), Vec2(1.2f, 0), Vec2(1, 0.9f), Vec2(0, 1)};
+  return mesh;
+}
+
+inline void add_textured(scenes::Builder& b, bool two_sided) {
+  const int texture = b.add_texture(screen());
+  b.add(with_uv(square()), scenes::textured(scenes::emitter(Rgb(1, 2, 1), two_sided), Slot::Emission, texture));
+}
+
 inline std::vector<Kind> kinds() {
   using scenes::Builder;
   using Place = Kind::Place;
@@ -73,6 +89,8 @@ inline std::vector<Kind> kinds() {
   return {
       {"mesh", [=](Builder& b) { b.add(square(), scenes::emitter(c)); }, Place::Square, 2 * M_PI * 4},
       {"mesh, two-sided", [=](Builder& b) { b.add(square(), scenes::emitter(c, true)); }, Place::Square, 4 * M_PI * 4},
+      {"textured mesh", [](Builder& b) { add_textured(b, false); }, Place::Square},
+      {"textured mesh, two-sided", [](Builder& b) { add_textured(b, true); }, Place::Square},
       {"sphere", [=](Builder& b) { b.add_sphere(Vec3(0, 0, 1), 0.5f, scenes::emitter(c)); }, Place::Direction,
        2 * M_PI * M_PI},
       {"sphere, two-sided", [=](Builder& b) { b.add_sphere(Vec3(0, 0, 1), 0.5f, scenes::emitter(c, true)); },

@@ -198,7 +198,7 @@ inline std::shared_ptr<const Texture> picture(uint32_t width, uint32_t height,
       const Rgb c = texel(x, y);
       texels.insert(texels.end(), {c.r, c.g, c.b});
     }
-  return std::make_shared<const Texture>("picture", width, height, 3, std::move(texels));
+  return std::make_shared<const Texture>(texture(width, height, 3, texels));
 }
 
 // A sky of some clouds and a bright spot, above a black ground; turned so that the spot is overhead.
@@ -273,6 +273,10 @@ class Builder {
   Builder& outside(int medium) {
     desc_.outside = medium;
     return *this;
+  }
+  int add_texture(std::shared_ptr<const Texture> texture) {
+    desc_.textures.push_back(std::move(texture));
+    return int(desc_.textures.size()) - 1;
   }
   int add_texture(Texture texture) {
     desc_.textures.push_back(std::make_shared<const Texture>(std::move(texture)));

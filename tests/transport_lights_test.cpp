@@ -12,7 +12,8 @@ constexpr int kSize = 32;
 struct Case {
   std::string name;
   scenes::RoomOptions room;
-  std::vector<Material> lamp = {};  // of a square under the ceiling and a ball
+  std::vector<MaterialDesc> lamp = {};  // of a square under the ceiling and a ball
+  bool screen = false;                  // the square has a picture, and there is no ball
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
@@ -29,12 +30,14 @@ std::vector<Case> cases() {
   sky.radiance = Rgb(0.5f, 0.6f, 1);
   add("sky_and_suns",
       {sky, scenes::directional(0, Rgb(1, 0, 0)), scenes::directional(3, Rgb(0, 2, 1)), scenes::environment_map(0.2f)});
-  const auto add_lamp = [&](const std::string& name, const Material& m) {
+  const auto add_lamp = [&](const std::string& name, const MaterialDesc& m) {
     add(name, {});
     all.back().lamp = {m};
   };
   add_lamp("even_lamps", lights::beam(Rgb(1, 1, 2), -1, true));
   add_lamp("beams", lights::beam(Rgb(5, 4, 3), 6, false));
+  add_lamp("screen", scenes::emitter(Rgb(2), true, 0.4f));
+  all.back().screen = true;
   add("projector", {lights::projector(Vec3(0.1f, 0.8f, 0.2f), 60)});
   add("photometric", {lights::luminaire(180, Vec3(0.1f, 0.5f, 0.2f))});
   return all;
@@ -44,9 +47,15 @@ class TransportLights : public testing::TestWithParam<Case> {};
 
 TEST_P(TransportLights, AllTechniquesGiveTheSamePicture) {
   scenes::Builder b = scenes::room(GetParam().room);
-  for (const Material& m : GetParam().lamp) {
+  for (const MaterialDesc& m : GetParam().lamp) {
     const Vec3 x(0.4f, 0, 0), z(0, 0, 0.3f), at(0, 0.85f, -0.2f);
-    b.add(scenes::quad(at - x - z, at + x - z, at + x + z, at - x + z), m);
+    const scenes::MeshData square = scenes::quad(at - x - z, at + x - z, at + x + z, at - x + z);
+    if (GetParam().screen) {
+      const int texture = b.add_texture(lights::screen());
+      b.add(lights::with_uv(square), scenes::textured(m, Slot::Emission, texture));
+      continue;
+    }
+    b.add(square, m);
     b.add_sphere(Vec3(0.65f, 0.35f, -0.5f), 0.15f, m);
   }
   const ScenePointer scene = b.build();

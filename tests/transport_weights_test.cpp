@@ -140,7 +140,7 @@ std::vector<SamplePath> paths_of(const Block& block) {
     if (!is_black(z.material->emission)) {
       Path path;
       const int light = light_of(z.material->emission);
-      path.light = {light, primitive_of(light, z.p), false, true, true, z.p, z.ng};
+      path.light = {light, primitive_of(light, z.p), {}, false, true, true, z.p, z.ng};
       append(path, eye, z);
       if (z.count > 2) paths.push_back({0, int(z.count), path});
     }

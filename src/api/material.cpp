@@ -26,6 +26,7 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_enum("opacity_mode", desc.opacity_mode, BDPT_OPACITY_BLEND);
   subject.check_range("opacity", &desc.opacity, 1, 0, 1);
   subject.check_range("opacity_cutoff", &desc.opacity_cutoff, 1, 0, 1);
+  subject.check_reserved("reserved", desc.reserved);
   subject.check_range("emission_exponent", desc.emission_exponent, -1, 10000);
 }
 

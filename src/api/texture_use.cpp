@@ -31,6 +31,7 @@ constexpr SlotKind kSlots[] = {
     {"NORMAL", Slot::Normal, false, false, true, kAll},
     {"BUMP", Slot::Bump, true, false, true, kAll},
     {"OPACITY", Slot::Reflectance, true, true, false, kAll},
+    {"EMISSION", Slot::Emission, false, false, false, kAll},
 };
 
 UvMap read_uv(const Subject& subject, const bdpt_texture_use& desc) {
@@ -59,7 +60,7 @@ class UseReader {
       : builder_(builder), material_(material), desc_(desc), entry_(entry) {}
 
   void read(const bdpt_texture_use& use, const Subject& subject) {
-    subject.check_enum("slot", use.slot, BDPT_SLOT_OPACITY);
+    subject.check_enum("slot", use.slot, BDPT_SLOT_EMISSION);
     subject.check_reserved("reserved", use.reserved);
     subject.check_range("uv_set", use.uv_set, 0, 1);
     const SlotKind& kind = kSlots[use.slot];
@@ -108,6 +109,9 @@ class UseReader {
     if (kind.is_bounded && texture.maximum > 1)
       subject.refuse("texture", "has texels up to ", texture.maximum, " for slot ", kind.name,
                      ": a surface reflects no more than it receives; scale them to at most 1");
+    if (kind.slot == Slot::Emission && !std::isfinite(norm(to_rgb(desc_.emission)) * texture.maximum))
+      subject.refuse("texture", "has texels up to ", texture.maximum,
+                     ", which times emission are no finite number: give less");
     entry_.textures.push_back(id);
     return int(entry_.textures.size()) - 1;
   }

@@ -39,7 +39,7 @@ DirectLighting::Place DirectLighting::choose_by_tree(const Receiver& x, double u
   }
   const LightTree::Choice c = tree_.sample(x, (u - share) / (1 - share));
   chosen = (1 - infinite_share_) * c.probability;
-  return {int(c.light), c.triangle, 0};
+  return {int(c.light), c.triangle, c.rest};
 }
 
 float DirectLighting::choice(const LightPoint& y0, const Receiver& x) const {

@@ -31,6 +31,7 @@ const LightKind kDirectionalLight = {
     .has_area = false,
     .infinite = true,
     .hittable = false,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place,
@@ -38,6 +39,7 @@ const LightKind kDirectionalLight = {
     .position_density = position_density,
     .direction_density = density_on_disk,
     .direct_density = direct_density,
+    .density_in_triangle = nullptr,
     .bounds = nullptr,
 };
 

@@ -26,6 +26,7 @@ const LightKind kEnvironmentLight = {
     .has_area = false,
     .infinite = true,
     .hittable = true,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place,
@@ -33,6 +34,7 @@ const LightKind kEnvironmentLight = {
     .position_density = position_density,
     .direction_density = density_on_disk,
     .direct_density = direct_density,
+    .density_in_triangle = nullptr,
     .bounds = nullptr,
 };
 

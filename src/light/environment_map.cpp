@@ -95,6 +95,7 @@ const LightKind kEnvironmentMapLight = {
     .has_area = false,
     .infinite = true,
     .hittable = true,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place,
@@ -102,6 +103,7 @@ const LightKind kEnvironmentMapLight = {
     .position_density = position_density,
     .direction_density = density_on_disk,
     .direct_density = direct_density,
+    .density_in_triangle = nullptr,
     .bounds = nullptr,
 };
 

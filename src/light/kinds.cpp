@@ -3,8 +3,8 @@
 namespace bdpt {
 
 const LightKind* const kLightKinds[] = {
-    &kMeshLight,           &kSphereLight,      &kPointLight, &kSpotLight,      &kEnvironmentLight,
-    &kEnvironmentMapLight, &kDirectionalLight, &kSunLight,   &kProjectorLight, &kPhotometricLight,
+    &kMeshLight,           &kTexturedMeshLight, &kSphereLight, &kPointLight,     &kSpotLight,        &kEnvironmentLight,
+    &kEnvironmentMapLight, &kDirectionalLight,  &kSunLight,    &kProjectorLight, &kPhotometricLight,
 };
 
 std::unique_ptr<LightData> make_light(const LightDesc& desc, Light& light) {

@@ -7,8 +7,8 @@
 
 namespace bdpt {
 
-extern const LightKind kMeshLight, kSphereLight, kPointLight, kSpotLight, kEnvironmentLight, kEnvironmentMapLight,
-    kDirectionalLight, kSunLight, kProjectorLight, kPhotometricLight;
+extern const LightKind kMeshLight, kTexturedMeshLight, kSphereLight, kPointLight, kSpotLight, kEnvironmentLight,
+    kEnvironmentMapLight, kDirectionalLight, kSunLight, kProjectorLight, kPhotometricLight;
 
 // Of a light without a surface: sets what the kind keeps in the record, and returns what it keeps beyond. center and
 // radius are the scene's.

@@ -20,7 +20,8 @@ namespace bdpt {
 // y0 of a light subpath or of direct lighting. The tag says which light and which side of it.
 struct LightPoint {
   int light = -1;
-  uint32_t primitive = 0;  // triangle of a mesh
+  uint32_t primitive = 0;  // triangle of a mesh,
+  Vec2 b{0, 0};            // and where in it: barycentric coordinates of its second and third corner
   bool infinite = false;   // no position: `normal` points toward the light
   bool has_area = false;   // an area light: cosines at y0 count
   bool hittable = false;   // eye subpaths can hit it
@@ -54,6 +55,7 @@ struct LightData {
 // In the order of the table in kinds.cpp.
 enum class LightKindId : uint8_t {
   Mesh,
+  TexturedMesh,
   Sphere,
   Point,
   Spot,
@@ -97,6 +99,7 @@ struct StartNumbers : PlaceNumbers {
 // A kind of light: each is a file, and a line in kinds.h and kinds.cpp.
 struct LightKind {
   bool has_area, infinite, hittable;  // of all its points
+  bool is_mesh;                       // has triangles
   // What is emitted in all, by norm().
   double (*power)(const Light&);
   // A place and a direction of a light subpath: y0, origin and direction.
@@ -109,8 +112,10 @@ struct LightKind {
   float (*position_density)(const Light&, const LightPoint& y0);
   float (*direction_density)(const Light&, const LightPoint& y0, const Vec3& w);
   float (*direct_density)(const Light&, const LightPoint& y0, const Vec3& x);
-  // What a tree of lights needs to know; meshes tell it of each triangle, infinite lights are in no tree.
-  Emitter (*bounds)(const Light&);
+  // P_A^d(y0) of the triangle of a mesh alone.
+  float (*density_in_triangle)(const Light&, const LightPoint& y0);
+  // What a tree of lights needs to know, of a mesh of this triangle; infinite lights are in no tree.
+  Emitter (*bounds)(const Light&, uint32_t triangle);
 };
 
 extern const LightKind* const kLightKinds[];

@@ -274,7 +274,7 @@ LightTree::Choice LightTree::sample(const Receiver& x, double u) const {
     u = std::clamp((u - begin) / double(share[k]), 0.0, 0x1.fffffffffffffp-1);
     probability *= share[k];
     n = node.child[k];
-    if (n < 0) return {uint32_t(~n), node.triangle[k], probability};
+    if (n < 0) return {uint32_t(~n), node.triangle[k], probability, u};
   }
 }
 

@@ -42,8 +42,9 @@ class LightTree {
   struct Choice {
     uint32_t light, triangle;
     float probability;
+    double rest;  // what is left of u
   };
-  // Chooses an emitter for x; u is used up.
+  // Chooses an emitter for x.
   Choice sample(const Receiver& x, double u) const;
   // The probability with which sample() chooses it, to the bit.
   float probability(uint32_t emitter, const Receiver& x) const;

@@ -3,6 +3,7 @@
 #include "geometry/texture.h"
 #include "light/kinds.h"
 #include "light/texel_table.h"
+#include "light/textured_mesh.h"
 
 #include <limits>
 
@@ -16,6 +17,22 @@ void Lights::add(const Light& light) {
   if (kind.infinite) infinite_.push_back(index);
   if (kind.infinite && kind.hittable) hittable_infinite_.push_back(index);
   lights_.push_back(light);
+}
+
+void Lights::add_mesh(const AreaLight& area, Light& light) {
+  if (area.texture) {
+    auto mesh = std::make_unique<TexturedMesh>(area.triangles, area.uv, area.texture, area.sampler);
+    meshes_.add(area.triangles, mesh->weights(), light);
+    mesh->place_among(meshes_, light.first);
+    light.kind = LightKindId::TexturedMesh;
+    light.data = mesh.get();
+    data_.push_back(std::move(mesh));
+    return;
+  }
+  std::vector<double> areas;
+  for (const LightTriangle& t : area.triangles) areas.push_back(t.area());
+  meshes_.add(area.triangles, areas, light);
+  light.data = &meshes_;
 }
 
 void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightDesc>& others, const Vec3& center,
@@ -32,7 +49,7 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
     light.inverse_area = 1 / a.area;
     light.center = a.center;
     light.radius = a.radius;
-    if (!a.is_sphere) meshes_.add(a.triangles, light);
+    if (!a.is_sphere) add_mesh(a, light);
     add(light);
   }
   for (const LightDesc& o : others) {
@@ -52,7 +69,7 @@ void Lights::build(const std::vector<AreaLight>& areas, const std::vector<LightD
     Light& l = lights_[i];
     if (!by_power_.empty()) l.choice = by_power_.probability(i);
     l.first_emitter = emitter;
-    emitter += l.kind == LightKindId::Mesh ? l.triangles : kind_of(l).infinite ? 0 : 1;
+    emitter += kind_of(l).is_mesh ? l.triangles : kind_of(l).infinite ? 0 : 1;
   }
 }
 
@@ -137,9 +154,8 @@ std::vector<Emitter> Lights::emitters() const {
   for (uint32_t light = 0; light < lights_.size(); ++light) {
     const Light& l = lights_[light];
     if (kind_of(l).infinite) continue;
-    const bool mesh = l.kind == LightKindId::Mesh;
-    for (uint32_t k = 0; k < (mesh ? l.triangles : 1); ++k) {
-      all.push_back(mesh ? meshes_.bounds(l, l.first + k) : kind_of(l).bounds(l));
+    for (uint32_t k = 0; k < (kind_of(l).is_mesh ? l.triangles : 1); ++k) {
+      all.push_back(kind_of(l).bounds(l, l.first + k));
       all.back().light = light;
     }
   }

@@ -2,10 +2,12 @@
 // both. light.h has the conventions; direct_lighting.h chooses among lights.
 #pragma once
 
+#include "geometry/texture.h"
 #include "light/light.h"
 #include "light/mesh.h"
 #include "sampling/discrete.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -31,6 +33,9 @@ class Lights {
     float radius = 0;
     float area = 0;
     std::vector<LightTriangle> triangles;
+    std::shared_ptr<const Texture> texture;  // times radiance; looked up by
+    TextureSampler sampler;
+    std::vector<std::array<Vec2, 3>> uv;  // these, of each triangle's corners
   };
 
   // Area lights first, in the order given, then the rest. The scene lies within the sphere given.
@@ -75,7 +80,7 @@ class Lights {
   }
   // The same of one triangle of a mesh that is chosen with it.
   float direct_density_of_triangle(const LightPoint& y0, float chosen) const {
-    return chosen * meshes_.density(at(y0.light), y0);
+    return chosen * kind(y0).density_in_triangle(at(y0.light), y0);
   }
 
   // --- Infinite lights: no emitters ---
@@ -85,7 +90,7 @@ class Lights {
 
   // --- Emitters: each triangle of a mesh, and each other light that is not infinite; numbered in the order of lights
   // ---
-  bool is_mesh(int light) const { return at(light).kind == LightKindId::Mesh; }
+  bool is_mesh(int light) const { return kind_of(at(light)).is_mesh; }
   uint32_t first_emitter(int light) const { return at(light).first_emitter; }
   std::vector<Emitter> emitters() const;
 
@@ -93,6 +98,7 @@ class Lights {
   const Light& at(int light) const { return lights_[size_t(light)]; }
   const LightKind& kind(const LightPoint& y0) const { return kind_of(at(y0.light)); }
   void add(const Light& light);
+  void add_mesh(const AreaLight& area, Light& light);
   LightPoint point_of(int light) const;
 
   std::vector<Light> lights_;

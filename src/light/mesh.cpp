@@ -6,16 +6,15 @@
 
 namespace bdpt {
 
-void LightMeshes::add(const std::vector<LightTriangle>& mesh, Light& light) {
-  light.data = this;
+void LightMeshes::add(const std::vector<LightTriangle>& mesh, const std::vector<double>& weights, Light& light) {
   light.first = uint32_t(triangles_.size());
   light.triangles = uint32_t(mesh.size());
   double total = 0, sum = 0;
-  for (const LightTriangle& t : mesh) total += t.area();
-  for (LightTriangle t : mesh) {
-    t.below = sum / total;
-    sum += t.area();
-    triangles_.push_back(t);
+  for (double w : weights) total += w;
+  for (size_t k = 0; k < mesh.size(); ++k) {
+    triangles_.push_back(mesh[k]);
+    triangles_.back().below = sum / total;
+    sum += weights[k];
   }
   const LightTriangle* triangle = &triangles_[light.first];
   for (uint32_t k = 0, i = 0; k < light.triangles; ++k) {
@@ -31,6 +30,8 @@ uint32_t LightMeshes::choose(const Light& light, double& u) const {
   uint32_t k = light.triangles > kFew ? guide_[light.first + size_t(u * double(light.triangles))] : 0;
   while (k > 0 && triangle[k].below > u) --k;  // the table's place is rounded
   while (k + 1 < light.triangles && triangle[k + 1].below <= u) ++k;
+  const double above = k + 1 < light.triangles ? triangle[k + 1].below : 1;
+  u = std::clamp((u - triangle[k].below) / (above - triangle[k].below), 0.0, 0x1.fffffffffffffp-1);
   return light.first + k;
 }
 
@@ -60,12 +61,7 @@ namespace {
 const LightMeshes& meshes_of(const Light& light) { return static_cast<const LightMeshes&>(*light.data); }
 
 void place(const Light& light, const PlaceNumbers& u, const Vec3&, LightPoint& y0) {
-  const LightTriangle& t = meshes_of(light).triangle(u.triangle);
-  y0.primitive = u.triangle - light.first;
-  const Vec2 b = sample_triangle(u.u1, u.u2);
-  y0.p = t.corner + t.edge1 * b.x + t.edge2 * b.y;
-  y0.normal = t.normal;
-  y0.margin = t.margin;
+  meshes_of(light).place(light, u.triangle, sample_triangle(u.u1, u.u2), y0);
 }
 
 void start(const Light& light, const StartNumbers& u, LightStart& start) {
@@ -75,6 +71,8 @@ void start(const Light& light, const StartNumbers& u, LightStart& start) {
 
 float position_density(const Light& light, const LightPoint&) { return light.inverse_area; }
 float direct_density(const Light& light, const LightPoint&, const Vec3&) { return light.inverse_area; }
+float density_in_triangle(const Light& light, const LightPoint& y0) { return meshes_of(light).density(light, y0); }
+Emitter bounds(const Light& light, uint32_t triangle) { return meshes_of(light).bounds(light, triangle); }
 
 }  // namespace
 
@@ -82,6 +80,7 @@ const LightKind kMeshLight = {
     .has_area = true,
     .infinite = false,
     .hittable = true,
+    .is_mesh = true,
     .power = power_of_area,
     .start = start,
     .place = place,
@@ -89,7 +88,8 @@ const LightKind kMeshLight = {
     .position_density = position_density,
     .direction_density = direction_density_of_area,
     .direct_density = direct_density,
-    .bounds = nullptr,
+    .density_in_triangle = density_in_triangle,
+    .bounds = bounds,
 };
 
 }  // namespace bdpt

@@ -11,7 +11,7 @@ namespace bdpt {
 struct alignas(64) LightTriangle {
   Vec3 corner, edge1, edge2;
   Vec3 normal;       // unit, toward the front; zero where the triangle is degenerate
-  double below = 0;  // part of its mesh's area that lies before it
+  double below = 0;  // part of its mesh's weights that lies before it
   float margin;
   double area() const { return length_squared(normal) > 0 ? 0.5 * double(length(cross(edge1, edge2))) : 0; }
   LightTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n, float m)
@@ -20,19 +20,27 @@ struct alignas(64) LightTriangle {
 
 class LightMeshes : public LightData {
  public:
-  // Sets the light's place among them.
-  void add(const std::vector<LightTriangle>& mesh, Light& light);
-  // The triangle of a mesh that u chooses, by area, numbered over all meshes. (Not from the mesh's first, so that it
-  // can be fetched before the light is.)
+  // Sets the light's place among them. Triangles will be chosen by their weights.
+  void add(const std::vector<LightTriangle>& mesh, const std::vector<double>& weights, Light& light);
+  // The triangle of a mesh that u chooses, numbered over all meshes; u is stretched back to [0,1). (Not from the mesh's
+  // first, so that it can be fetched before the light is.)
   uint32_t choose(const Light& light, double& u) const;
-  const LightTriangle& triangle(uint32_t i) const { return triangles_[i]; }
+  // The point of a triangle with these barycentric coordinates of its second and third corner.
+  void place(const Light& light, uint32_t triangle, const Vec2& b, LightPoint& y0) const {
+    const LightTriangle& t = triangles_[triangle];
+    y0.primitive = triangle - light.first;
+    y0.b = b;
+    y0.p = t.corner + t.edge1 * b.x + t.edge2 * b.y;
+    y0.normal = t.normal;
+    y0.margin = t.margin;
+  }
   // Of a triangle of the light's that is chosen.
   float density(const Light& light, const LightPoint& y0) const;
   Emitter bounds(const Light& light, uint32_t triangle) const;
 
  private:
   std::vector<LightTriangle> triangles_;
-  std::vector<uint32_t> guide_;  // where in a mesh to look for part k / n of its area; for each triangle k
+  std::vector<uint32_t> guide_;  // where in a mesh to look for part k / n of its weights; for each triangle k
 };
 
 }  // namespace bdpt

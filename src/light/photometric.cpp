@@ -128,8 +128,8 @@ float direction_density(const Light& light, const LightPoint&, const Vec3& w) {
   return photometric_of(light).density(w);
 }
 
-Emitter bounds(const Light& light) {
-  Emitter e = bounds_of_point(light);
+Emitter bounds(const Light& light, uint32_t) {
+  Emitter e = bounds_of_point(light, 0);
   e.intensity *= double(photometric_of(light).brightest());
   return e;
 }
@@ -140,6 +140,7 @@ const LightKind kPhotometricLight = {
     .has_area = false,
     .infinite = false,
     .hittable = false,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place_at_point,
@@ -147,6 +148,7 @@ const LightKind kPhotometricLight = {
     .position_density = position_density_of_point,
     .direction_density = direction_density,
     .direct_density = direct_density_of_point,
+    .density_in_triangle = nullptr,
     .bounds = bounds,
 };
 

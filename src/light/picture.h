@@ -39,7 +39,7 @@ class Picture {
   Rgb texel(int64_t x, int64_t y) const {
     const int64_t w = width(), h = height();
     x = wraps_ ? (x + w) % w : std::clamp<int64_t>(x, 0, w - 1);
-    return texture_->texel(uint32_t(x), uint32_t(std::clamp<int64_t>(y, 0, h - 1))) * scale_;
+    return to_rgb(texture_->texel(uint32_t(x), uint32_t(std::clamp<int64_t>(y, 0, h - 1)))) * scale_;
   }
 
   std::shared_ptr<const Texture> texture_;

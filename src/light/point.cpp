@@ -24,6 +24,7 @@ const LightKind kPointLight = {
     .has_area = false,
     .infinite = false,
     .hittable = false,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place_at_point,
@@ -31,6 +32,7 @@ const LightKind kPointLight = {
     .position_density = position_density_of_point,
     .direction_density = direction_density,
     .direct_density = direct_density_of_point,
+    .density_in_triangle = nullptr,
     .bounds = bounds_of_point,
 };
 

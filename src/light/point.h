@@ -12,7 +12,7 @@ inline float position_density_of_point(const Light&, const LightPoint&) { return
 inline float direct_density_of_point(const Light&, const LightPoint&, const Vec3&) { return 1; }
 
 // Into all directions.
-inline Emitter bounds_of_point(const Light& light) {
+inline Emitter bounds_of_point(const Light& light, uint32_t) {
   Emitter e;
   e.low = e.high = light.center;
   e.intensity = norm(light.radiance);

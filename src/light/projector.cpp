@@ -85,9 +85,9 @@ void start(const Light& light, const StartNumbers& u, LightStart& start) {
 Rgb emitted(const Light& light, const LightPoint&, const Vec3& w) { return projector_of(light).intensity(w); }
 float direction_density(const Light& light, const LightPoint&, const Vec3& w) { return projector_of(light).density(w); }
 
-Emitter bounds(const Light& light) {
+Emitter bounds(const Light& light, uint32_t) {
   const Projector& p = projector_of(light);
-  Emitter e = bounds_of_point(light);
+  Emitter e = bounds_of_point(light, 0);
   e.axis = p.axes().forward;
   e.cos_o = p.cone().cos_outer;
   e.cos_e = 1 - 1e-4;  // cosines are rounded
@@ -101,6 +101,7 @@ const LightKind kProjectorLight = {
     .has_area = false,
     .infinite = false,
     .hittable = false,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place_at_point,
@@ -108,6 +109,7 @@ const LightKind kProjectorLight = {
     .position_density = position_density_of_point,
     .direction_density = direction_density,
     .direct_density = direct_density_of_point,
+    .density_in_triangle = nullptr,
     .bounds = bounds,
 };
 

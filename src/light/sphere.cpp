@@ -54,7 +54,7 @@ float direct_density(const Light& light, const LightPoint& y0, const Vec3& x) {
   return cos_y / (kTwoPi * one_minus_cos_cap(light.radius, center2) * d2);
 }
 
-Emitter bounds(const Light& light) {
+Emitter bounds(const Light& light, uint32_t) {
   Emitter e;
   e.low = light.center - Vec3(light.radius);
   e.high = light.center + Vec3(light.radius);
@@ -68,6 +68,7 @@ const LightKind kSphereLight = {
     .has_area = true,
     .infinite = false,
     .hittable = true,
+    .is_mesh = false,
     .power = power_of_area,
     .start = start,
     .place = place,
@@ -75,6 +76,7 @@ const LightKind kSphereLight = {
     .position_density = position_density,
     .direction_density = direction_density_of_area,
     .direct_density = direct_density,
+    .density_in_triangle = nullptr,
     .bounds = bounds,
 };
 

@@ -37,9 +37,9 @@ float direction_density(const Light& light, const LightPoint&, const Vec3& w) {
   return dot(w, s.axis) > s.cone.cos_outer ? 1 / (kTwoPi * (1 - s.cone.cos_outer)) : 0;
 }
 
-Emitter bounds(const Light& light) {
+Emitter bounds(const Light& light, uint32_t) {
   const Spot& s = spot_of(light);
-  Emitter e = bounds_of_point(light);
+  Emitter e = bounds_of_point(light, 0);
   e.axis = s.axis;
   e.cos_o = s.cone.cos_inner;
   e.cos_e = std::cos(std::acos(double(s.cone.cos_outer)) - std::acos(double(s.cone.cos_inner))) -
@@ -53,6 +53,7 @@ const LightKind kSpotLight = {
     .has_area = false,
     .infinite = false,
     .hittable = false,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place_at_point,
@@ -60,6 +61,7 @@ const LightKind kSpotLight = {
     .position_density = position_density_of_point,
     .direction_density = direction_density,
     .direct_density = direct_density_of_point,
+    .density_in_triangle = nullptr,
     .bounds = bounds,
 };
 

@@ -49,6 +49,7 @@ const LightKind kSunLight = {
     .has_area = false,
     .infinite = true,
     .hittable = true,
+    .is_mesh = false,
     .power = power,
     .start = start,
     .place = place,
@@ -56,6 +57,7 @@ const LightKind kSunLight = {
     .position_density = position_density,
     .direction_density = density_on_disk,
     .direct_density = direct_density,
+    .density_in_triangle = nullptr,
     .bounds = nullptr,
 };
 

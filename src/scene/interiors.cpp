@@ -13,7 +13,7 @@ void Scene::number_enclosures() {
   if (desc_.outside >= 0) {
     interiors_.set_outside(desc_.media[size_t(desc_.outside)].get());
     for (const LightDesc& l : desc_.lights)
-      if (l.type == LightType::Environment)
+      if (!l.has_position())
         fail(ErrorCode::InvalidArgument, "the scene has a medium everywhere, and light \"", l.label,
              "\" that comes from infinitely far: none of it could arrive; enclose the medium in a mesh, or remove one");
   }
@@ -62,7 +62,7 @@ void Scene::find_light_interiors() {
     DirectLight d;
     double u = 0;
     const uint32_t triangle = lights_.choose_triangle(int(light), u);
-    lights_.place_direct(int(light), triangle, info_.bounds_max * 2.0f + Vec3(1), 0.3f, 0.3f, d);
+    lights_.place_direct(int(light), {u, triangle, 0.3f, 0.3f}, info_.bounds_max * 2.0f + Vec3(1), d);
     light_interiors_.push_back(d.y0.infinite ? Interior()
                                              : interior_at(off_surface(d.y0.p, d.y0.normal, d.y0.margin, d.y0.normal)));
   }

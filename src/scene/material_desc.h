@@ -14,6 +14,7 @@ enum class Slot : uint8_t {
   Roughness,  // along u and v
   Normal,     // a tangent-space normal map: 2 rgb - 1, x along u, y along v
   Bump,       // a height along the normal, in the texture's channel times the use's scale, in world units
+  Emission,
 };
 
 struct TextureUse {

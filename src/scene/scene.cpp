@@ -4,6 +4,7 @@
 #include "light/photometry.h"
 #include "sampling/hash.h"
 
+#include <array>
 #include <limits>
 
 namespace bdpt {
@@ -33,6 +34,12 @@ Transform invert(const Transform& t) {
 void grow(Vec3& low, Vec3& high, const Vec3& p) {
   low = Vec3(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
   high = Vec3(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
+}
+
+const TextureUse* emission_use(const MaterialDesc& material) {
+  for (const TextureUse& use : material.textures)
+    if (use.slot == Slot::Emission) return &use;
+  return nullptr;
 }
 
 uint64_t hash_scene(const SceneDesc& desc) {
@@ -245,6 +252,15 @@ void Scene::collect_lights() {
     light.exponent = instance.material->emission_exponent;
     light.two_sided = instance.material->emission_two_sided;
     light.group = instance.material->emission_group;
+    const TextureUse* use = emits ? emission_use(*instance.material) : nullptr;
+    if (use && instance.sphere)
+      fail(ErrorCode::InvalidArgument, "instance \"", desc_.instances[i].label,
+           "\" is a sphere, but its material has a texture of slot EMISSION, which shines from meshes alone: use a "
+           "mesh, or a material without it");
+    if (use) {
+      light.texture = desc_.textures[size_t(use->texture)];
+      light.sampler = use->sampler;
+    }
     if (instance.sphere) {
       grow(low, high, instance.center - Vec3(instance.radius));
       grow(low, high, instance.center + Vec3(instance.radius));
@@ -268,6 +284,10 @@ void Scene::collect_lights() {
         const bool valid = triangle_surface(instance, uint32_t(k), 1.0f / 3, 1.0f / 3, surface);
         light.triangles.emplace_back(corner[0], corner[1], corner[2], valid ? surface.ng : Vec3(0), surface.margin);
         total += light.triangles.back().area();
+        if (!use) continue;
+        Vec2 uv[3];
+        instance.mesh->uv_corners(use->uv.set, uint32_t(k), uv);
+        light.uv.push_back({use->uv(uv[0]), use->uv(uv[1]), use->uv(uv[2])});
       }
       light.area = float(total);
     }

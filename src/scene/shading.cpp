@@ -97,6 +97,7 @@ void Scene::shade(const Hit& hit, Surface& s, MaterialStore& store) const {
   if (material.varies()) s.material = own = &store.add(material);
   const Vec3 ng = s.ng;
   for (const TextureUse& use : material.textures) {
+    if (use.slot == Slot::Emission) continue;  // the light's own
     if (use.slot == Slot::Normal || use.slot == Slot::Bump) {
       bend_normal(instance, use, hit, s);
       continue;

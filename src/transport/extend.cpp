@@ -167,6 +167,7 @@ void Block::arrive_on(const Walker& w, const Hit& hit, const Surface& surface) {
     LightPoint x0;
     x0.light = surface.light;
     x0.primitive = surface.primitive;
+    x0.b = Vec2(hit.u, hit.v);
     x0.has_area = x0.hittable = true;
     x0.p = v.p;
     x0.normal = v.ng;
