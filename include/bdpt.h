@@ -508,7 +508,6 @@ typedef struct bdpt_material_desc {
                                           are counted as rejected */
   float emission_exponent;             /* n in [-1,10000]: what is emitted is emission cosⁿ of the angle to the normal.
                                           0 = Lambertian; -1 = the same intensity in all directions; more = a beam */
-  uint32_t reserved;
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.

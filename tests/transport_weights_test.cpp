@@ -221,8 +221,7 @@ TransportOptions with(TransportOptions options, const Kind& kind) {
 
 void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start, const TechniqueMask& mask,
                             LightSelection selection = LightSelection::Power, int direct_samples = 1,
-                            bool correlation_aware = false, SensorPointer camera = nullptr) {
-                            bool correlation_aware = false, int at_least = 2000) {
+                            bool correlation_aware = false, SensorPointer camera = nullptr, int at_least = 2000) {
   const ScenePointer scene = scenes::room(room).build();
   if (!camera) camera = scenes::camera(scenes::room_view_through_lens(), kSize, kSize);
   TransportOptions options = options_for(mask, kMaxEdges);
@@ -248,7 +247,6 @@ void expect_product_weights(const scenes::RoomOptions& room, StartBy light_start
       if (!(whole > 1e-6)) continue;  // occluded, or dark
       const Densities d = densities_of(p.path, *scene, plain.engine());
       PathTechniques techniques{d.vertices.data(), int(d.vertices.size()), d.direct};
-      techniques.s0_exists = p.path.light.has_area;
       techniques.t0_exists = camera->is_hittable();
       techniques.s0_exists = p.path.light.hittable;
       techniques.corner_exists = !p.path.light.infinite;
@@ -297,8 +295,8 @@ TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithLightsAtInfinity) {
   scenes::RoomOptions room{.contents = scenes::Contents::Glossy, .environment = true};
   room.lights = {scenes::environment_map(), scenes::directional(0), scenes::directional(5)};
   // Few light subpaths find the hole in the ceiling.
-  expect_product_weights(room, StartBy::Power, {}, LightSelection::Power, 1, false, 400);
-  expect_product_weights(room, StartBy::Uniform, {}, LightSelection::Tree, 1, false, 400);
+  expect_product_weights(room, StartBy::Power, {}, LightSelection::Power, 1, false, nullptr, 400);
+  expect_product_weights(room, StartBy::Uniform, {}, LightSelection::Tree, 1, false, nullptr, 400);
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithSeveralDirectSamples) {

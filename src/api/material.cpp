@@ -22,11 +22,9 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_flag("emission_two_sided", desc.emission_two_sided);
   subject.check_range("emission_group", desc.emission_group, 0, 63);
   subject.check_flag("perceptual_roughness", desc.perceptual_roughness);
-  subject.check_reserved("reserved", desc.reserved);
   subject.check_enum("opacity_mode", desc.opacity_mode, BDPT_OPACITY_BLEND);
   subject.check_range("opacity", &desc.opacity, 1, 0, 1);
   subject.check_range("opacity_cutoff", &desc.opacity_cutoff, 1, 0, 1);
-  subject.check_reserved("reserved", desc.reserved);
   subject.check_range("emission_exponent", desc.emission_exponent, -1, 10000);
 }
 
