@@ -8,6 +8,7 @@
 #include <string>
 
 #include "film_output.h"
+#include "scene_read.h"
 #include "technique_mask.h"
 
 namespace CLI {
@@ -18,6 +19,7 @@ namespace bdpt_tool {
 
 // What is not given is empty: the scene file decides, or a default.
 struct RenderOptions {
+  ReadOptions read;
   std::string scene, output, png, film, pyramid;
   std::optional<std::uint64_t> samples_per_pixel;
   double seconds = 0, noise = 0, checkpoint = 60;
