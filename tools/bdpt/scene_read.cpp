@@ -8,6 +8,7 @@
 
 #include "gltf/scene_reader.h"
 #include "lowering.h"
+#include "mesh_scene.h"
 #include "pbrt/scene_reader.h"
 
 namespace bdpt_tool {
@@ -21,6 +22,7 @@ struct Format {
 
 constexpr Format kFormats[] = {
     {".pbrt", read_pbrt_scene, false}, {".gltf", read_gltf_scene, true}, {".glb", read_gltf_scene, true},
+    {".obj", read_obj_scene, false},   {".ply", read_ply_scene, false},
 };
 
 const Format& format_of(const std::string& path) {
@@ -32,7 +34,8 @@ const Format& format_of(const std::string& path) {
   }
   if (extension == ".dae") throw Error(Location{path, 0}, "COLLADA is not read here; export glTF 2.0 instead");
   throw Error(Location{path, 0},
-              "not a scene this program can read; it reads pbrt-v4 (*.pbrt), glTF 2.0 (*.gltf, *.glb)");
+              "not a scene this program can read; it reads pbrt-v4 (*.pbrt), glTF 2.0 (*.gltf, *.glb), OBJ (*.obj) "
+              "and PLY (*.ply)");
 }
 
 }  // namespace
