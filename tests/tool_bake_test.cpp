@@ -1,17 +1,14 @@
 // `bdpt bake`, from a scene file to lightmaps.
 //
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 
 #include "agreement.h"
-#include "commands.h"
+#include "bake_fixture.h"
 #include "exr_parts.h"
 #include "gltf_writer.h"
 #include "image.h"
-#include "temp_folder.h"
 
 namespace bdpt_tool {
 namespace {
@@ -38,27 +35,17 @@ std::string scene() {
          buffer.members() + "}";
 }
 
-class ToolBake : public testing::Test {
+class ToolBake : public BakeFixture {
  protected:
-  void SetUp() override { std::ofstream(file("scene.gltf")) << scene(); }
-  std::string file(const std::string& name) const { return folder_.file(name); }
+  void SetUp() override { write("scene.gltf", scene()); }
 
   // `bdpt bake scene.gltf` with these arguments, of which the first names the output.
   int bake(std::vector<std::string> arguments, const std::string& scene = "scene.gltf") {
-    arguments[0] = file(arguments[0]);
-    std::vector<std::string> all = {"bdpt", "bake", file(scene), "-o"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (std::string& a : all) argv.push_back(a.data());
-    testing::internal::CaptureStderr();
-    const int code = run_program(int(argv.size()), argv.data());
-    error_ = testing::internal::GetCapturedStderr();
-    return code;
+    const std::string output = arguments[0];
+    arguments.erase(arguments.begin());
+    return run(scene, output, arguments);
   }
   std::map<std::string, Image> layers(const std::string& name) { return read_exr(file(name)); }
-
-  bdpt::TempFolder folder_;
-  std::string error_;
 };
 
 TEST_F(ToolBake, AFileForEachNodeALayerForEachPlane) {
