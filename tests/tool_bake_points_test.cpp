@@ -1,23 +1,20 @@
 // `bdpt bake --what probes` and `--what points`: where, what, in which file; and lists of points with mistakes.
 //
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 
-#include "commands.h"
+#include "bake_fixture.h"
 #include "image.h"
 #include "point_list.h"
-#include "temp_folder.h"
 
 namespace bdpt_tool {
 namespace {
 
-class ToolBakePoints : public testing::Test {
+class ToolBakePoints : public BakeFixture {
  protected:
   // A black floor, 4 x 4, at y = 0 and a lamp of radiance 1, 1 x 1, at y = 1, that looks down.
   void SetUp() override {
@@ -29,8 +26,6 @@ AreaLightSource "diffuse" "rgb L" [1 1 1]
 Shape "trianglemesh" "point3 P" [-.5 1 -.5  .5 1 -.5  .5 1 .5  -.5 1 .5] "integer indices" [0 1 2 0 2 3]
 )");
   }
-  std::string file(const std::string& name) const { return folder_.file(name); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(file(name)) << text; }
   std::string text(const std::string& name) const {
     std::ostringstream all;
     all << std::ifstream(file(name)).rdbuf();
@@ -38,14 +33,7 @@ Shape "trianglemesh" "point3 P" [-.5 1 -.5  .5 1 -.5  .5 1 .5  -.5 1 .5] "intege
   }
 
   int bake(const std::string& output, const std::vector<std::string>& arguments) {
-    std::vector<std::string> all = {"bdpt", "bake", file("scene.pbrt"), "-o", file(output)};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (std::string& a : all) argv.push_back(a.data());
-    testing::internal::CaptureStderr();
-    const int code = run_program(int(argv.size()), argv.data());
-    error_ = testing::internal::GetCapturedStderr();
-    return code;
+    return run("scene.pbrt", output, arguments);
   }
   // The lines of a CSV file but the first.
   std::vector<std::vector<double>> rows(const std::string& name) const {
@@ -55,9 +43,6 @@ Shape "trianglemesh" "point3 P" [-.5 1 -.5  .5 1 -.5  .5 1 .5  -.5 1 .5] "intege
     for (std::getline(csv, line); std::getline(csv, line);) rows.push_back(parse_numbers(line));
     return rows;
   }
-
-  bdpt::TempFolder folder_;
-  std::string error_;
 };
 
 // A square seen from half its side away is a face of a cube seen from the middle.

@@ -54,7 +54,7 @@ cat >triangle.gltf <<'SCENE'
  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]}
 SCENE
 sed 's/"mesh": 0/"mesh": 1/' triangle.gltf >no-mesh.gltf
-cp triangle.gltf triangle.obj
+cp triangle.gltf triangle.3ds
 
 expect 0 '' --version
 expect 0 '' render --help
@@ -93,7 +93,10 @@ expect 0 '' info triangle.gltf
 grep -q 'lights *1' stdout.txt || fail "info: $(cat stdout.txt)"
 expect 3 '^bdpt: no-mesh.gltf: nodes\[0\].mesh is 1, and meshes has 1 element$' info no-mesh.gltf
 expect 3 '^bdpt: .*no.glb' render no.glb -o a.exr
-expect 3 '^bdpt: triangle.obj: .*pbrt-v4 files.*glTF 2.0 files' info triangle.obj
+expect 3 '^bdpt: triangle.3ds: .*pbrt-v4 .*glTF 2.0 .*OBJ .*PLY' info triangle.3ds
+expect 0 '' info triangle.gltf --scene 0
+expect 3 "^bdpt: triangle.gltf: there is no scene '1' in it; there are scenes.0.\$" info triangle.gltf --scene 1
+expect 2 '^bdpt: --scene: only glTF' info box.pbrt --scene 1
 
 expect 0 '' info box.pbrt
 grep -q 'spheres *2' stdout.txt || fail "info: $(cat stdout.txt)"

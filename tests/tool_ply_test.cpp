@@ -106,8 +106,33 @@ TEST(ToolPly, IndexOutOfRangeIsAnError) {
   EXPECT_NE(error_of(ascii("0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 -1")).find("out of range"), std::string::npos);
 }
 
-TEST(ToolPly, PolygonsOfOtherThanThreeOrFourCornersAreAnError) {
-  EXPECT_NE(error_of(ascii("0 0 0 1 0 0 1 1 0 0 1 0 5 0 1 2 3 0")).find("5 corners"), std::string::npos);
+TEST(ToolPly, PolygonsAreCutIntoTriangles) {
+  const TriangleMesh mesh = parse_ply(ascii("0 0 0 1 0 0 1 1 0 0 1 0 5 0 1 2 3 0"), "mesh.ply");
+  EXPECT_EQ(mesh.triangle_count(), 3u);
+  EXPECT_NE(error_of(ascii("0 0 0 1 0 0 1 1 0 0 1 0 5 0 1 2 3 4")).find("vertex 4 does not exist"), std::string::npos);
+}
+
+TEST(ToolPly, ColoursAreReadAsBytesOrFloats) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto colors = [&](const std::string& type, const std::string& color) {
+    const std::string names[] = {"red", "green", "blue", "alpha"};
+    std::string properties;
+    for (const std::string& name : names) properties += "property " + type + " " + name + "\n";
+    return parse_ply(head + properties + faces + "0 0 0 " + color + " 1 0 0 " + color + " 0 1 0 " + color + " 3 0 1 2",
+                     "mesh.ply")
+        .colors;
+  };
+  const std::vector<float> bytes = colors("uchar", "255 0 188 51");
+  EXPECT_EQ(bytes.size(), 12u);
+  EXPECT_EQ(bytes[0], 1);
+  EXPECT_NEAR(bytes[2], 0.503f, 0.001f);  // out of the curve
+  EXPECT_NEAR(bytes[3], 0.2f, 1e-6f);
+  EXPECT_EQ(colors("float", ".25 .5 .75 1")[1], 0.5f);
+}
+
+TEST(ToolPly, PolygonsOfFewerThanThreeCornersAreAnError) {
   EXPECT_NE(error_of(ascii("0 0 0 1 0 0 1 1 0 0 1 0 2 0 1")).find("2 corners"), std::string::npos);
 }
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "pbrt/scene_reader.h"
 #include "scene_upload.h"
 #include "temp_folder.h"
 #include "transform.h"
@@ -23,7 +22,7 @@ class ToolScene : public testing::Test {
 
   SceneDescription read(const std::string& text) {
     write("scene.pbrt", text);
-    return read_pbrt_scene(folder_.file("scene.pbrt"), diagnostics_);
+    return read_scene(folder_.file("scene.pbrt"), diagnostics_);
   }
   SceneDescription read_world(const std::string& text) { return read("Camera \"perspective\"\nWorldBegin\n" + text); }
 
@@ -242,10 +241,10 @@ TEST_F(ToolScene, MaterialsMayBeNamedBeforeTheyAreMade) {
 }
 
 TEST_F(ToolScene, UnknownMaterialsAreAnErrorOnlyWhereTheyAreUsed) {
-  const std::string make = "MakeNamedMaterial \"a\" \"string type\" \"coateddiffuse\"\n";
+  const std::string make = "MakeNamedMaterial \"a\" \"string type\" \"hair\"\n";
   EXPECT_EQ(read_world(make + kTriangle).materials.size(), 1u);
   expect_prefix(world_error_of(make + "NamedMaterial \"a\"\n" + kTriangle),
-                "scene.pbrt:3: MakeNamedMaterial \"a\": the material type 'coateddiffuse'");
+                "scene.pbrt:3: MakeNamedMaterial \"a\": the material type 'hair'");
   expect_prefix(world_error_of("NamedMaterial \"b\"\n" + std::string(kTriangle)),
                 "scene.pbrt:4: there is no material 'b'");
 }
@@ -331,6 +330,16 @@ TEST_F(ToolScene, AFileThatIncludesItselfIsAnError) {
   EXPECT_NE(world_error_of("Include \"loop.pbrt\"\n").find("include each other"), std::string::npos);
 }
 
+TEST_F(ToolScene, FilesThatIncludeTwoEachAreAnErrorInTime) {
+  std::string last = "Translate 0 0 0\n";
+  for (int i = 0; i < 30; ++i) {
+    const std::string name = std::to_string(i) + ".pbrt";
+    write(name, last);
+    last = "Include \"" + name + "\"\nInclude \"" + name + "\"\n";
+  }
+  EXPECT_NE(world_error_of(last).find("more than 10000 files are included"), std::string::npos);
+}
+
 TEST_F(ToolScene, UnbalancedBlocksAreAnErrorWithTheirLine) {
   expect_prefix(world_error_of("AttributeEnd\n"), "scene.pbrt:3: AttributeEnd without AttributeBegin");
   expect_prefix(world_error_of("\nAttributeBegin\n" + std::string(kTriangle)),
@@ -366,11 +375,11 @@ TEST_F(ToolScene, WrongValuesAreAnErrorWithTheirLine) {
                 "scene.pbrt:3: Shape \"trianglemesh\": vertex 3 does not exist");
   expect_prefix(world_error_of("Shape \"cylinder\"\n"),
                 "scene.pbrt:3: Shape \"cylinder\": the shape 'cylinder' is not known");
-  expect_prefix(world_error_of("LightSource \"distant\"\n"), "scene.pbrt:3: LightSource \"distant\"");
+  expect_prefix(world_error_of("LightSource \"projection\"\n"), "scene.pbrt:3: LightSource \"projection\"");
   expect_prefix(world_error_of("AreaLightSource \"diffuse\" \"float power\" 1\n"),
                 "scene.pbrt:3: AreaLightSource \"diffuse\": 'power'");
-  expect_prefix(world_error_of("LightSource \"point\" \"blackbody I\" 6500\n"),
-                "scene.pbrt:3: LightSource \"point\": 'I' is a spectrum");
+  expect_prefix(world_error_of("LightSource \"point\" \"blackbody I\" 6\n"),
+                "scene.pbrt:3: LightSource \"point\": 'I' must be from 500 to 1000000 kelvin");
 }
 
 TEST_F(ToolScene, MissingFilesAreAnErrorAtTheirMention) {
@@ -422,16 +431,128 @@ TEST_F(ToolScene, EveryTruncationOfASceneIsAnErrorOrAScene) {
   }
 }
 
+TEST_F(ToolScene, CoatsTransmissionAndThinGlassAreReadWhole) {
+  const SceneDescription scene = read_world(
+      std::string(
+          "Material \"coateddiffuse\" \"rgb reflectance\" [.1 .2 .3] \"float uroughness\" .25 \"float vroughness\" .25 "
+          "\"float thickness\" .5 \"float eta\" 1.25 \"float g\" .5 \"rgb albedo\" [.1 .1 .1]\n") +
+      kTriangle +
+      "Material \"coatedconductor\" \"float interface.roughness\" .25 \"float conductor.roughness\" .0625 "
+      "\"spectrum conductor.eta\" \"metal-Au-eta\" \"spectrum conductor.k\" \"metal-Au-k\"\n" +
+      kTriangle +
+      "Material \"diffusetransmission\" \"rgb reflectance\" [.5 .5 .5] \"rgb transmittance\" [.25 .5 .25] \"float "
+      "scale\" .5\n" +
+      kTriangle + "Material \"thindielectric\" \"float eta\" 1.75\n" + kTriangle + "Material \"interface\"\n" +
+      kTriangle);
+  const MaterialDescription& plastic = scene.materials[0];
+  EXPECT_EQ(plastic.type, kMaterialCoatedDiffuse);
+  EXPECT_EQ(plastic.reflectance, (Rgb{.1f, .2f, .3f}));
+  EXPECT_EQ(plastic.coat.roughness, (std::array<float, 2>{.5f, .5f}));
+  EXPECT_EQ(plastic.coat.thickness, .5f);
+  EXPECT_EQ(plastic.coat.ior, 1.25f);
+  EXPECT_EQ(plastic.coat.g, .5f);
+  EXPECT_EQ(scene.materials[1].type, kMaterialCoatedConductor);
+  EXPECT_EQ(scene.materials[1].coat.roughness[0], .5f);
+  EXPECT_EQ(scene.materials[1].roughness[0], .25f);
+  EXPECT_NEAR(scene.materials[1].eta[2], 1.4425f, 1e-3f);
+  EXPECT_EQ(scene.materials[2].type, kMaterialDiffuseTransmission);
+  EXPECT_EQ(scene.materials[2].transmittance.factor, (Rgb{.125f, .25f, .125f}));
+  EXPECT_EQ(scene.materials[3].type, kMaterialThinDielectric);
+  EXPECT_EQ(scene.materials[3].ior, 1.75f);
+  EXPECT_EQ(scene.materials[4].type, kMaterialInterface);
+}
+
+TEST_F(ToolScene, MixesNameTwoMaterials) {
+  const std::string parts =
+      "MakeNamedMaterial \"a\" \"string type\" \"diffuse\" \"rgb reflectance\" [1 0 0]\n"
+      "MakeNamedMaterial \"b\" \"string type\" \"conductor\"\n";
+  const SceneDescription scene =
+      read_world(parts + "Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25\n" + kTriangle);
+  const MaterialDescription& mix = scene.materials[static_cast<std::size_t>(scene.instances[0].material)];
+  EXPECT_EQ(mix.type, kMaterialMix);
+  EXPECT_EQ(mix.mix_amount.factor, .25f);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(mix.mixed[0])].type, BDPT_MATERIAL_DIFFUSE);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(mix.mixed[1])].type, BDPT_MATERIAL_CONDUCTOR);
+  EXPECT_NE(world_error_of("MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [\"m\" \"m\"]\n"
+                           "NamedMaterial \"m\"\n" +
+                           std::string(kTriangle))
+                .find("more than 16 deep"),
+            std::string::npos);
+}
+
+TEST_F(ToolScene, SpectraAndBlackBodiesBecomeRgb) {
+  const SceneDescription scene = read_world(
+      std::string("Material \"diffuse\" \"spectrum reflectance\" [300 .25 800 .25]\n") + kTriangle +
+      "Material \"diffuse\" \"spectrum reflectance\" [580 0 600 1]\n" + kTriangle +
+      "LightSource \"point\" \"blackbody I\" 6504\nLightSource \"point\" \"blackbody I\" 2700 \"float scale\" 3\n");
+  for (const float x : scene.materials[0].reflectance) EXPECT_NEAR(x, .25f, 1e-5f);
+  const Rgb& red = scene.materials[1].reflectance;
+  EXPECT_GT(red[0], .6f);
+  EXPECT_LT(red[2], .02f);
+  for (const float x : scene.lights[0].value) EXPECT_NEAR(x, 1, .06f);  // white, nearly
+  const Rgb& warm = scene.lights[1].value;
+  EXPECT_NEAR(.2126f * warm[0] + .7152f * warm[1] + .0722f * warm[2], 3, 1e-4f);
+  EXPECT_GT(warm[0], 2 * warm[1] - warm[2]);
+  EXPECT_GT(warm[1], 2 * warm[2]);
+  expect_prefix(world_error_of("LightSource \"point\" \"spectrum I\" [600 1 500 1]\n"),
+                "scene.pbrt:3: LightSource \"point\": 'I' must be pairs of wavelength and value");
+}
+
+TEST_F(ToolScene, DistantLightsComeFromFromToTo) {
+  const SceneDescription scene = read_world(
+      "LightSource \"distant\" \"point3 from\" [0 2 0] \"point3 to\" [0 0 0] \"rgb L\" [1 2 3] \"float scale\" 2\n");
+  EXPECT_EQ(scene.lights[0].type, kLightDirectional);
+  EXPECT_EQ(scene.lights[0].direction, (Rgb{0, -1, 0}));
+  EXPECT_EQ(scene.lights[0].value, (Rgb{2, 4, 6}));
+}
+
+TEST_F(ToolScene, PicturesOfInfiniteLightsBecomeTextures) {
+  const float pixels[] = {1, 2, 3};
+  write("sky.pfm", "PF\n1 1\n-1\n" + std::string(reinterpret_cast<const char*>(pixels), sizeof pixels));
+  const SceneDescription scene =
+      read_world("LightSource \"infinite\" \"string filename\" \"sky.pfm\" \"float scale\" 2\nShape \"sphere\"\n");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].value, (Rgb{2, 2, 2}));
+  const Image& image = std::get<Image>(scene.textures.at(static_cast<std::size_t>(scene.lights[0].texture)).image);
+  EXPECT_EQ(image.width, 2 * image.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) EXPECT_EQ(image.pixels[i], pixels[i % 3]);
+}
+
+TEST_F(ToolScene, TexturesAreMappedWrappedAndChequered) {
+  const SceneDescription scene = read_world(
+      std::string(
+          "Texture \"c\" \"spectrum\" \"checkerboard\" \"float uscale\" 4 \"float vscale\" 6 \"float udelta\" 1 "
+          "\"rgb tex1\" [1 0 0] \"rgb tex2\" [0 0 1]\nMaterial \"diffuse\" \"texture reflectance\" \"c\"\n") +
+      kTriangle);
+  const TextureUse& use = scene.materials[0].reflectance_texture;
+  EXPECT_EQ(use.transform, (std::array<float, 6>{2, 0, .5f, 0, 3, 0}));  // the image is two squares wide
+  const TextureDescription& texture = scene.textures.at(static_cast<std::size_t>(use.texture));
+  EXPECT_TRUE(texture.nearest);
+  const Image& image = std::get<Image>(texture.image);
+  const std::size_t last_row = std::size_t{3} * image.width * (image.height - 1);  // v = 0
+  EXPECT_EQ(image.pixels[last_row], 1);                                            // the square at the origin
+  EXPECT_EQ(image.pixels[last_row + 3 * (image.width - 1)], 0);
+  EXPECT_EQ(image.pixels[0], 0);
+}
+
+TEST_F(ToolScene, AlphaOfAShapeIsItsMaterials) {
+  const SceneDescription scene = read_world(
+      "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"float alpha\" .25\n" + std::string(kTriangle));
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(scene.instances[0].material)].alpha.factor, .25f);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(scene.instances[0].material)].alpha_mode, AlphaMode::kBlend);
+  EXPECT_EQ(scene.materials[static_cast<std::size_t>(scene.instances[1].material)].alpha_mode, AlphaMode::kOpaque);
+}
+
 TEST_F(ToolScene, SharedScenesAreReadWithoutWarnings) {
   const std::filesystem::path folder = std::filesystem::path(BDPT_SHARED_DIR) / "scenes/bitterli";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the shared scenes are not here";
   const std::pair<const char*, std::size_t> scenes[] = {{"veach-bidir", 14}, {"cornell-box", 8}, {"water-caustic", 10}};
   for (const auto& [name, instances] : scenes) {
-    const SceneDescription scene = read_pbrt_scene((folder / name / "scene-v4.pbrt").string(), diagnostics_);
+    const SceneDescription scene = read_scene((folder / name / "scene-v4.pbrt").string(), diagnostics_);
     EXPECT_EQ(scene.instances.size(), instances) << name;
   }
   const SceneDescription ajar =
-      read_pbrt_scene((folder / "veach-ajar/scene-v4-present-textures.pbrt").string(), diagnostics_);
+      read_scene((folder / "veach-ajar/scene-v4-present-textures.pbrt").string(), diagnostics_);
   EXPECT_EQ(ajar.shapes.size(), 18u);  // 17 mesh files and the light
   EXPECT_EQ(ajar.instances.size(), 22u);
   EXPECT_EQ(ajar.textures.size(), 3u);

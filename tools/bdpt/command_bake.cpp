@@ -49,7 +49,7 @@ class BakeCommand {
 
   void load() {
     const Stopwatch watch;
-    description_ = read_scene(options_.render.scene, diagnostics_);
+    description_ = read_scene(options_.render.scene, diagnostics_, options_.render.read);
     range_ = pass_range(options_.render, description_.samples_per_pixel);
     max_edges_ = options_.render.max_edges.value_or(description_.max_edges);
     target_->read(description_);

@@ -12,6 +12,7 @@ namespace {
 
 struct InfoOptions {
   std::string scene;
+  ReadOptions read;
   bool json = false;
 };
 
@@ -26,7 +27,7 @@ struct SceneFacts {
 
 SceneFacts gather(const InfoOptions& options) {
   Diagnostics diagnostics;
-  SceneDescription description = read_scene(options.scene, diagnostics);
+  SceneDescription description = read_scene(options.scene, diagnostics, options.read);
   SceneFacts facts;
   facts.shapes = description.shapes.size();
   facts.textures = description.textures.size();
@@ -130,7 +131,8 @@ ExitCode info(const InfoOptions& options) {
 void add_info_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("info", "Tell what a scene holds");
   const auto options = std::make_shared<InfoOptions>();
-  command->add_option("scene", options->scene, "A scene file: pbrt-v4, or glTF 2.0 (.gltf, .glb)")->required();
+  command->add_option("scene", options->scene, "A scene file: pbrt-v4, glTF 2.0 (.gltf, .glb), OBJ or PLY")->required();
+  add_read_options(*command, options->read);
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->callback([&chosen, options] { chosen = [options] { return info(*options); }; });
 }

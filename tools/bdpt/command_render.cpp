@@ -53,7 +53,7 @@ class RenderCommand {
 
   void load() {
     const Stopwatch watch;
-    description_ = read_scene(options_.scene, diagnostics_);
+    description_ = read_scene(options_.scene, diagnostics_, options_.read);
     range_ = pass_range(options_, description_.samples_per_pixel);
     max_edges_ = options_.max_edges.value_or(description_.max_edges);
     report_.load_seconds = watch.seconds();

@@ -5,6 +5,8 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 
+#include <filesystem>
+
 #include "image.h"
 #include "image_chromaticities.h"
 
@@ -37,12 +39,15 @@ void add_slices(Imf::FrameBuffer& buffer, const std::string& layer, Image& image
   }
 }
 
-std::map<std::string, Image> read(Imf::MultiPartInputFile& parts, int part) {
+std::map<std::string, Image> read(Imf::MultiPartInputFile& parts, int part, std::size_t file_size) {
+  const Imath::Box2i window = parts.header(part).dataWindow();
+  const auto width = static_cast<std::uint32_t>(std::int64_t{window.max.x} - window.min.x + 1);
+  const auto height = static_cast<std::uint32_t>(std::int64_t{window.max.y} - window.min.y + 1);
+  // The codes of some black pictures are denser than deflate: one byte to a pixel is asked for.
+  if (const char* fault = detail::size_fault(width, height, 1, file_size)) {
+    throw std::runtime_error(fault);
+  }
   Imf::InputPart file(parts, part);
-  const Imath::Box2i window = file.header().dataWindow();
-  const auto width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
-  const auto height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
-  if (width > 65536 || height > 65536) throw std::runtime_error("larger than 65536 pixels");
   std::map<std::string, Image> images;
   Imf::FrameBuffer buffer;
   for (const std::string& layer : layers_of(file.header().channels())) {
@@ -61,7 +66,7 @@ std::map<std::string, Image> read(Imf::MultiPartInputFile& parts, int part) {
 std::map<std::string, Image> read_exr(const std::string& path, const Location& from) {
   try {
     Imf::MultiPartInputFile file(path.c_str());
-    return read(file, 0);
+    return read(file, 0, std::filesystem::file_size(path));
   } catch (const std::exception& error) {
     detail::fail_image(path, from, error.what());
   }
@@ -71,7 +76,10 @@ std::map<std::string, std::map<std::string, Image>> read_exr_parts(const std::st
   try {
     Imf::MultiPartInputFile file(path.c_str());
     std::map<std::string, std::map<std::string, Image>> parts;
-    for (int i = 0; i < file.parts(); ++i) parts[file.header(i).hasName() ? file.header(i).name() : ""] = read(file, i);
+    const std::size_t size = std::filesystem::file_size(path);
+    for (int i = 0; i < file.parts(); ++i) {
+      parts[file.header(i).hasName() ? file.header(i).name() : ""] = read(file, i, size);
+    }
     return parts;
   } catch (const std::exception& error) {
     detail::fail_image(path, {}, error.what());

@@ -13,8 +13,6 @@
 namespace bdpt_tool::detail {
 namespace {
 
-constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 28;
-
 struct ErrorManager {
   jpeg_error_mgr base;
   std::jmp_buf jump;
@@ -36,8 +34,8 @@ bool decode(jpeg_decompress_struct& info, ErrorManager& errors, std::string_view
   jpeg_mem_src(&info, reinterpret_cast<const unsigned char*>(data.data()), data.size());
   jpeg_read_header(&info, TRUE);
   if (info.jpeg_color_space != JCS_GRAYSCALE) info.out_color_space = JCS_RGB;
-  if (std::uint64_t{info.image_width} * info.image_height > kMaxPixels) {
-    std::strcpy(errors.text, "more than 2^28 pixels");
+  if (const char* fault = size_fault(info.image_width, info.image_height, 3, data.size())) {
+    std::strncpy(errors.text, fault, sizeof errors.text - 1);
     return false;
   }
   jpeg_start_decompress(&info);
@@ -56,7 +54,7 @@ bool decode(jpeg_decompress_struct& info, ErrorManager& errors, std::string_view
 
 }  // namespace
 
-ByteImage read_jpeg(const std::string& path, const std::string_view& data, const Location& from) {
+ByteImage read_jpeg(const std::string& path, std::string_view data, const Location& from) {
   ByteImage image;
   jpeg_decompress_struct info{};
   ErrorManager errors{};

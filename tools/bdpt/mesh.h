@@ -14,6 +14,8 @@ struct TriangleMesh {
   std::vector<float> normals;          // 3 to a vertex, or empty
   std::vector<float> uv;               // 2 to a vertex, or empty; for textures
   std::vector<float> uv_lightmap;      // 2 to a vertex, or empty
+  std::vector<float> tangents;         // 4 to a vertex, or empty; the last is the sign of the bitangent
+  std::vector<float> colors;           // 4 to a vertex, or empty; linear, the last is alpha
   std::vector<std::uint32_t> indices;  // 3 to a triangle
 
   std::size_t vertex_count() const { return positions.size() / 3; }

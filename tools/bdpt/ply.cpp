@@ -6,11 +6,16 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
+#include "default_view.h"
 #include "file_data.h"
+#include "image.h"
+#include "mesh_scene.h"
 #include "ply_header.h"
+#include "polygon.h"
 
 namespace bdpt_tool {
 namespace {
@@ -100,6 +105,9 @@ class ScalarStream {
   Location where_;
 };
 
+constexpr int kSlots = 12;
+constexpr int kMaxCorners = 4096;  // cutting takes the square of it, and worse
+
 class MeshReader {
  public:
   MeshReader(std::string_view data, const std::string& path)
@@ -133,21 +141,26 @@ class MeshReader {
     return -1;
   }
 
-  // Where each property goes: 0-2 position, 3-5 normal, 6-7 uv, -1 nowhere.
+  // Where each property goes: 0-2 position, 3-5 normal, 6-7 uv, 8-11 colour, -1 nowhere.
   std::vector<int> slots(const PlyElement& element) {
-    const int found[8] = {find(element, {"x"}),
-                          find(element, {"y"}),
-                          find(element, {"z"}),
-                          find(element, {"nx"}),
-                          find(element, {"ny"}),
-                          find(element, {"nz"}),
-                          find(element, {"u", "s", "texture_u", "texture_s"}),
-                          find(element, {"v", "t", "texture_v", "texture_t"})};
+    const int found[kSlots] = {find(element, {"x"}),
+                               find(element, {"y"}),
+                               find(element, {"z"}),
+                               find(element, {"nx"}),
+                               find(element, {"ny"}),
+                               find(element, {"nz"}),
+                               find(element, {"u", "s", "texture_u", "texture_s"}),
+                               find(element, {"v", "t", "texture_v", "texture_t"}),
+                               find(element, {"red", "r", "diffuse_red"}),
+                               find(element, {"green", "g", "diffuse_green"}),
+                               find(element, {"blue", "b", "diffuse_blue"}),
+                               find(element, {"alpha", "a"})};
     if (found[0] < 0 || found[1] < 0 || found[2] < 0) stream_.fail("vertices without x, y and z");
     has_normals_ = found[3] >= 0 && found[4] >= 0 && found[5] >= 0;
     has_uv_ = found[6] >= 0 && found[7] >= 0;
+    has_colors_ = found[8] >= 0 && found[9] >= 0 && found[10] >= 0;
     std::vector<int> slots(element.properties.size(), -1);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < kSlots; ++i) {
       if (found[i] >= 0) slots[found[i]] = i;
     }
     return slots;
@@ -162,7 +175,8 @@ class MeshReader {
     if (has_normals_) mesh_.normals.reserve(3 * element.count);
     if (has_uv_) mesh_.uv.reserve(2 * element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      float value[8] = {};
+      float value[kSlots] = {};
+      value[kSlots - 1] = 1;  // opaque
       for (std::size_t p = 0; p < slot.size(); ++p) {
         const PlyProperty& property = element.properties[p];
         if (property.is_list) {
@@ -170,22 +184,32 @@ class MeshReader {
           continue;
         }
         const double number = stream_.next(property.type);
-        if (slot[p] >= 0) value[slot[p]] = static_cast<float>(number);
+        if (slot[p] >= 0)
+          value[slot[p]] = static_cast<float>(slot[p] < 8 ? number : color(number, property.type, slot[p] < 11));
       }
       store_vertex(value, i);
     }
   }
 
-  void store_vertex(const float (&value)[8], std::uint64_t index) {
-    for (int i = 0; i < 8; ++i) {
+  // Whole numbers are parts of their greatest, colours in the sRGB curve; floats are linear.
+  static double color(double number, PlyType type, bool curved) {
+    if (type >= PlyType::kFloat32) return number;
+    const double part = number / (type == PlyType::kUint8 ? 255 : type == PlyType::kUint16 ? 65535 : 4294967295.0);
+    return curved ? static_cast<double>(srgb_to_linear(static_cast<float>(part))) : part;
+  }
+
+  void store_vertex(const float (&value)[kSlots], std::uint64_t index) {
+    for (int i = 0; i < kSlots; ++i) {
       if (!std::isfinite(value[i])) {
-        static constexpr const char* kNames[8] = {"x", "y", "z", "nx", "ny", "nz", "u", "v"};
+        static constexpr const char* kNames[kSlots] = {"x", "y", "z",   "nx",    "ny",   "nz",
+                                                       "u", "v", "red", "green", "blue", "alpha"};
         stream_.fail("vertex " + std::to_string(index) + ": " + kNames[i] + " is not finite");
       }
     }
     mesh_.positions.insert(mesh_.positions.end(), value, value + 3);
     if (has_normals_) mesh_.normals.insert(mesh_.normals.end(), value + 3, value + 6);
     if (has_uv_) mesh_.uv.insert(mesh_.uv.end(), value + 6, value + 8);
+    if (has_colors_) mesh_.colors.insert(mesh_.colors.end(), value + 8, value + kSlots);
   }
 
   void read_faces(const PlyElement& element) {
@@ -210,14 +234,23 @@ class MeshReader {
 
   void read_face(const PlyProperty& property, std::uint64_t index) {
     const double corners = stream_.next(property.count_type);
-    if (corners != 3 && corners != 4) {
+    if (!(corners >= 3 && corners <= kMaxCorners)) {
       stream_.fail("face " + std::to_string(index) + " has " + std::to_string(static_cast<long long>(corners)) +
-                   " corners; only triangles and quads can be read, triangulate the mesh");
+                   " corners, and must have 3 to " + std::to_string(kMaxCorners) + "; triangulate the mesh");
     }
-    std::uint32_t corner[4] = {};
-    for (int i = 0; i < static_cast<int>(corners); ++i) corner[i] = index_of(stream_.next(property.type), index);
-    mesh_.indices.insert(mesh_.indices.end(), corner, corner + 3);
-    if (corners == 4) mesh_.indices.insert(mesh_.indices.end(), {corner[0], corner[2], corner[3]});
+    face_.clear();
+    for (int i = 0; i < static_cast<int>(corners); ++i) {
+      face_.push_back(index_of(stream_.next(property.type), index));
+      if (face_.back() >= mesh_.vertex_count() && corners > 4) {
+        stream_.fail("face " + std::to_string(index) + ": vertex " + std::to_string(face_.back()) +
+                     " does not exist, there are " + std::to_string(mesh_.vertex_count()) + " before it");
+      }
+    }
+    if (corners == 4) {
+      mesh_.indices.insert(mesh_.indices.end(), {face_[0], face_[1], face_[2], face_[0], face_[2], face_[3]});
+    } else {
+      triangulate(mesh_.positions, face_, mesh_.indices);
+    }
   }
 
   std::uint32_t index_of(double value, std::uint64_t face) const {
@@ -262,6 +295,8 @@ class MeshReader {
   TriangleMesh mesh_;
   bool has_normals_ = false;
   bool has_uv_ = false;
+  bool has_colors_ = false;
+  std::vector<std::uint32_t> face_;
 };
 
 }  // namespace
@@ -271,6 +306,27 @@ TriangleMesh parse_ply(std::string_view data, const std::string& path) { return 
 TriangleMesh read_ply(const std::string& path, const Location& from) {
   const FileData file(path, from);
   return parse_ply(file.text(), path);
+}
+
+SceneDescription read_ply_scene(const std::string& path, const ReadOptions&, Diagnostics& diagnostics) {
+  const Location where{path, 0};
+  Notes notes(path, diagnostics);
+  SceneDescription scene;
+  scene.path = path;
+  TriangleMesh mesh = read_ply(path);
+  if (repair_zero_normals(mesh) > 0) notes.add("normals of length zero are made from the triangles");
+  MaterialDescription grey;
+  grey.label = "grey";
+  grey.where = where;
+  grey.uses_vertex_colors = !mesh.colors.empty();
+  if (grey.uses_vertex_colors) grey.reflectance = {1, 1, 1};
+  const std::string label = std::filesystem::path(path).stem().string();
+  scene.shapes.push_back({label, where, std::move(mesh)});
+  scene.materials.push_back(std::move(grey));
+  scene.instances.push_back({0, 0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, where, label, 0, label});
+  complete(scene, false, notes);
+  notes.tell();
+  return scene;
 }
 
 }  // namespace bdpt_tool

@@ -9,6 +9,7 @@
 
 #include "camera_options.h"
 #include "film_output.h"
+#include "scene_read.h"
 #include "technique_mask.h"
 
 namespace CLI {
@@ -19,6 +20,7 @@ namespace bdpt_tool {
 
 // What is not given is empty: the scene file decides, or a default.
 struct RenderOptions {
+  ReadOptions read;
   std::string scene, output, png, film, pyramid;
   std::optional<std::uint64_t> samples_per_pixel;
   double seconds = 0, noise = 0, checkpoint = 60;

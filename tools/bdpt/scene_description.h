@@ -30,25 +30,104 @@ struct ShapeDescription {
   std::variant<TriangleMesh, SphereShape> geometry;
 };
 
-// Bytes in the sRGB curve, or linear floats.
+enum class Wrap { kRepeat, kClamp, kMirror, kBlack };
+
 struct TextureDescription {
   std::string label;
   Location where;
-  std::variant<ByteImage, Image> image;
+  AnyImage image;
+  float exponent = 0;  // of the numbers of a coded image: 0 = the sRGB curve, 1 = linear, else a gamma
+  std::array<Wrap, 2> wrap = {Wrap::kRepeat, Wrap::kRepeat};
+  bool nearest = false;
 };
+
+// How a material looks a texture up.
+struct TextureUse {
+  int texture = -1;                                     // none
+  int uv_set = 0;                                       // 0 = TriangleMesh::uv, 1 = uv_lightmap
+  std::array<float, 6> transform = {1, 0, 0, 0, 1, 0};  // rows of a 2x3 matrix, applied to the mesh's (u, v)
+
+  bool operator==(const TextureUse&) const = default;
+};
+
+// The factor, times the texel where there is a texture.
+struct ColorValue {
+  Rgb factor = {1, 1, 1};
+  TextureUse texture;
+};
+struct FloatValue {
+  float factor = 1;
+  TextureUse texture;
+  int channel = 0;  // of the texel
+};
+
+enum class AlphaMode { kOpaque, kMask, kBlend };
+
+// The light that a coat of dielectric lets through and scatters.
+struct CoatDescription {
+  float ior = 1.5f, thickness = 0.01f, g = 0;
+  std::array<float, 2> roughness = {};
+  Rgb albedo = {};
+};
+
+// glTF's metallic-roughness material with the KHR extensions; base colour, normals, alpha and emission are the
+// material's own. Roughnesses are glTF's: the square roots of GGX's alpha.
+struct PrincipledDescription {
+  FloatValue metallic = {.factor = 0, .texture = {}, .channel = 2};
+  FloatValue roughness = {.factor = 1, .texture = {}, .channel = 1};
+  FloatValue specular = {.factor = 1, .texture = {}, .channel = 3};
+  ColorValue specular_color;
+  FloatValue transmission = {.factor = 0, .texture = {}, .channel = 0};
+  FloatValue thickness = {.factor = 0, .texture = {}, .channel = 1};  // 0 = thin walls
+  float attenuation_distance = 0;                                     // 0 = no absorption
+  Rgb attenuation_color = {1, 1, 1};
+  float dispersion = 0;
+  FloatValue clearcoat = {.factor = 0, .texture = {}, .channel = 0};
+  FloatValue clearcoat_roughness = {.factor = 0, .texture = {}, .channel = 1};
+  FloatValue clearcoat_normal;
+  ColorValue sheen_color = {.factor = {0, 0, 0}, .texture = {}};
+  FloatValue sheen_roughness = {.factor = 0, .texture = {}, .channel = 3};
+  FloatValue iridescence = {.factor = 0, .texture = {}, .channel = 0};
+  float iridescence_ior = 1.3f, iridescence_thickness_min = 100;                    // nanometres
+  FloatValue iridescence_thickness = {.factor = 400, .texture = {}, .channel = 1};  // the texel goes from min to factor
+  FloatValue anisotropy = {.factor = 0, .texture = {}, .channel = 2};  // channels 0 and 1 are a direction, 2 a strength
+  float anisotropy_rotation = 0;                                       // radians
+};
+
+// Types of materials and lights that the library does not have yet; lowering.cpp says what becomes of them.
+constexpr bdpt_material_type kMaterialPrincipled = -1, kMaterialCoatedDiffuse = -2, kMaterialCoatedConductor = -3,
+                             kMaterialDiffuseTransmission = -4, kMaterialThinDielectric = -5, kMaterialMix = -6,
+                             kMaterialInterface = -7;
+constexpr bdpt_light_type kLightDirectional = -1;
 
 struct MaterialDescription {
   bdpt_material_type type = BDPT_MATERIAL_DIFFUSE;
   std::string label;
   Location where;
+  // Diffuse, mirror, the base under a coat of diffuse, the reflected part of diffuse transmission, the base colour.
   Rgb reflectance = {0.5f, 0.5f, 0.5f};
-  int texture = -1;
+  TextureUse reflectance_texture;
+  ColorValue transmittance = {.factor = {0.25f, 0.25f, 0.25f}, .texture = {}};  // diffuse transmission
   Rgb eta = {}, k = {};
   float ior = 1.5f;
-  std::array<float, 2> roughness = {};
+  std::array<float, 2> roughness = {};  // GGX's alpha
+  CoatDescription coat;
+  PrincipledDescription principled;
+  std::array<int, 2> mixed = {-1, -1};  // materials
+  FloatValue mix_amount;                // of the second
+
   Rgb emission = {};
+  TextureUse emission_texture;
   bool emission_two_sided = false;
   bool one_sided = false;
+  bool unlit = false;  // shows its emission, and was not meant to shine
+
+  AlphaMode alpha_mode = AlphaMode::kOpaque;
+  float alpha_cutoff = 0.5f;
+  FloatValue alpha = {.factor = 1, .texture = {}, .channel = 3};
+  bool uses_vertex_colors = false;  // which multiply reflectance and alpha
+  FloatValue normal;                // a map of normals, and the scale of its x and y
+  FloatValue bump;                  // a map of heights, and their scale
 
   bool emits() const { return emission[0] > 0 || emission[1] > 0 || emission[2] > 0; }
 };
@@ -66,10 +145,14 @@ struct InstanceDescription {
 
 struct LightDescription {
   bdpt_light_type type = BDPT_LIGHT_POINT;
+  std::string label;
   Location where;
   Rgb position = {}, direction = {0, 0, 1};
-  Rgb value = {};  // intensity, or radiance of an environment
+  Rgb value = {};  // intensity, radiance of an environment, irradiance of what a directional light faces
   float cone_angle = 30, cone_falloff = 5;
+  float angular_radius = 0;  // directional, in degrees
+  int texture = -1;          // environment: times the radiance; equirectangular, -z in its middle, +x to the right
+  std::array<float, 12> transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // environment: local to world, local y up
 };
 
 // What is not given in the file is empty, so that the program's own defaults can stand in.

@@ -2,11 +2,10 @@
 #include "scene_upload.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <optional>
 #include <utility>
 
-#include "gltf/scene_reader.h"
-#include "pbrt/scene_reader.h"
+#include "lowering.h"
 #include "scene_colors.h"
 
 namespace bdpt_tool {
@@ -37,17 +36,35 @@ bdpt_data lend(std::vector<T>&& values, std::size_t components, bdpt_format form
   return data;
 }
 
+bdpt_wrap wrap_of(Wrap wrap) {
+  if (wrap == Wrap::kMirror) return BDPT_WRAP_MIRROR;
+  return wrap == Wrap::kClamp ? BDPT_WRAP_CLAMP : BDPT_WRAP_REPEAT;
+}
+
 class Uploader {
  public:
   Uploader(bdpt_context* context, SceneDescription& description)
-      : description_(description), builder_(make<Builder>("the scene", bdpt_builder_create, context)) {}
+      : context_(context),
+        description_(description),
+        silent_(false),
+        notes_(description.path, silent_),
+        builder_(make<Builder>("the scene", bdpt_builder_create, context)) {}
 
   Scene build(bdpt_cancel* cancel) {
-    for (ShapeDescription& shape : description_.shapes) shapes_.push_back(add(shape));
-    for (TextureDescription& texture : description_.textures) textures_.push_back(add(texture));
-    for (const MaterialDescription& material : description_.materials) materials_.push_back(add(material));
+    SceneDescription plain;
+    for (const MaterialDescription& material : description_.materials) {
+      plain.materials.push_back(lowered(description_, material, notes_));
+    }
+    for (LightDescription light : description_.lights) {
+      if (lower(description_, light, notes_)) plain.lights.push_back(std::move(light));
+    }
+    convert_colors(context_, plain);
+    lowered_ = std::move(plain.materials);
+    materials_.resize(lowered_.size());
+    shapes_.resize(description_.shapes.size());
+    textures_.resize(description_.textures.size());
     for (InstanceDescription& instance : description_.instances) add(instance);
-    for (const LightDescription& light : description_.lights) add(light);
+    for (const LightDescription& light : plain.lights) add(light);
     auto desc = sized<bdpt_build_desc>();
     desc.cancel = cancel;
     bdpt_scene* scene = nullptr;
@@ -56,6 +73,14 @@ class Uploader {
   }
 
  private:
+  // The first call makes it; others give the same.
+  template <class Id, class T>
+  Id once(std::vector<std::optional<Id>>& ids, std::vector<T>& things, int index) {
+    auto& id = ids[static_cast<std::size_t>(index)];
+    if (!id) id = add(things[static_cast<std::size_t>(index)]);
+    return *id;
+  }
+
   bdpt_shape_id add(ShapeDescription& shape) {
     bdpt_shape_id id{};
     if (const auto* sphere = std::get_if<SphereShape>(&shape.geometry)) {
@@ -71,61 +96,111 @@ class Uploader {
     desc.positions = lend(std::move(mesh.positions), 3, BDPT_FORMAT_FLOAT3);
     desc.indices = lend(std::move(mesh.indices), 3, BDPT_FORMAT_UINT32X3);
     desc.normals = lend(std::move(mesh.normals), 3, BDPT_FORMAT_FLOAT3);
+    desc.tangents = lend(std::move(mesh.tangents), 4, BDPT_FORMAT_FLOAT4);
+    desc.colors = lend(std::move(mesh.colors), 4, BDPT_FORMAT_FLOAT4);
     desc.uv[0] = lend(std::move(mesh.uv), 2, BDPT_FORMAT_FLOAT2);
     desc.uv[1] = lend(std::move(mesh.uv_lightmap), 2, BDPT_FORMAT_FLOAT2);
     check(bdpt_mesh_add(builder_.get(), &desc, &id), shape.where);
     return id;
   }
 
-  bdpt_texture_id add(TextureDescription& texture) {
+  template <class T>
+  static void set_pixels(const CodedImage<T>& image, bdpt_texture_desc& desc) {
+    desc.channels = image.channels;
+    desc.pixels = image.pixels.data();
+    desc.texel = sizeof(T) == 1 ? BDPT_TEXEL_UINT8 : BDPT_TEXEL_UINT16;
+  }
+  static void set_pixels(const Image& image, bdpt_texture_desc& desc) {
+    desc.channels = 3;
+    desc.pixels = image.pixels.data();
+    desc.texel = BDPT_TEXEL_FLOAT;
+  }
+
+  // Curves that the library does not know are undone here.
+  bdpt_texture_id add(const TextureDescription& texture) {
     auto desc = sized<bdpt_texture_desc>();
     desc.label = texture.label.c_str();
-    if (const auto* bytes = std::get_if<ByteImage>(&texture.image)) {
-      desc.channels = bytes->channels;
-      desc.pixels = bytes->pixels.data();
-      desc.width = bytes->width;
-      desc.height = bytes->height;
-      desc.texel = BDPT_TEXEL_UINT8;
-      desc.encoding = BDPT_ENCODING_SRGB;
+    desc.width = width_of(texture.image);
+    desc.height = height_of(texture.image);
+    desc.encoding = texture.exponent == 0 ? BDPT_ENCODING_SRGB : BDPT_ENCODING_LINEAR;
+    Image linear;
+    // Floats of a colour are linear already; numbers that are no colours are never converted.
+    if (std::holds_alternative<Image>(texture.image) && texture.exponent != 1) {
+      desc.encoding = 0;
+      desc.color_space = "lin_rec709";
+    }
+    if (texture.exponent == 0 || texture.exponent == 1) {
+      std::visit([&](const auto& image) { set_pixels(image, desc); }, texture.image);
     } else {
-      const auto& image = std::get<Image>(texture.image);
-      desc.channels = 3;
-      desc.pixels = image.pixels.data();
-      desc.width = image.width;
-      desc.height = image.height;
-      desc.texel = BDPT_TEXEL_FLOAT;
+      linear = to_linear(texture.image, texture.exponent);
+      set_pixels(linear, desc);
+      desc.encoding = 0;
       desc.color_space = "lin_rec709";
     }
     bdpt_texture_id id{};
     check(bdpt_texture_add(builder_.get(), &desc, &id), texture.where);
-    texture.image = ByteImage();  // copied
     return id;
+  }
+
+  void use(const TextureUse& from, bdpt_slot slot, int channel, float scale, std::vector<bdpt_texture_use>& uses) {
+    if (from.texture < 0) return;
+    const TextureDescription& texture = description_.textures[static_cast<std::size_t>(from.texture)];
+    auto to = sized<bdpt_texture_use>();
+    to.slot = slot;
+    to.texture = once(textures_, description_.textures, from.texture);
+    to.channel = static_cast<std::uint32_t>(channel);
+    to.uv_set = static_cast<std::uint32_t>(from.uv_set);
+    std::copy(from.transform.begin(), from.transform.end(), to.transform);
+    for (std::size_t i = 0; i < 2; ++i) to.wrap[i] = wrap_of(texture.wrap[i]);
+    to.lookup = texture.nearest ? BDPT_LOOKUP_NEAREST : BDPT_LOOKUP_BILINEAR;
+    to.scale = scale;
+    uses.push_back(to);
+  }
+
+  void set_opacity(const MaterialDescription& material, bdpt_material_desc& desc, std::vector<bdpt_texture_use>& uses) {
+    if (material.alpha_mode == AlphaMode::kOpaque) return;
+    desc.opacity_mode = material.alpha_mode == AlphaMode::kMask ? BDPT_OPACITY_MASK : BDPT_OPACITY_BLEND;
+    desc.opacity = material.alpha.factor;
+    desc.opacity_cutoff = material.alpha_cutoff;
+    use(material.alpha.texture, BDPT_SLOT_OPACITY, material.alpha.channel, 0, uses);
   }
 
   bdpt_material_id add(const MaterialDescription& material) {
     auto desc = sized<bdpt_material_desc>();
+    std::vector<bdpt_texture_use> uses;
     desc.type = material.type;
     desc.label = material.label.c_str();
     std::copy_n(material.reflectance.data(), 3, desc.reflectance);
-    if (material.texture >= 0) desc.reflectance_texture = textures_[static_cast<std::size_t>(material.texture)];
+    use(material.reflectance_texture, BDPT_SLOT_REFLECTANCE, 0, 0, uses);
     std::copy_n(material.eta.data(), 3, desc.eta);
     std::copy_n(material.k.data(), 3, desc.k);
     desc.ior = material.ior;
     std::copy_n(material.roughness.data(), 2, desc.roughness);
+    if (const FloatValue& roughness = material.principled.roughness; roughness.texture.texture >= 0) {
+      desc.perceptual_roughness = 1;
+      std::fill_n(desc.roughness, 2, roughness.factor);
+      use(roughness.texture, BDPT_SLOT_ROUGHNESS, roughness.channel, 0, uses);
+    }
     std::copy_n(material.emission.data(), 3, desc.emission);
     desc.emission_two_sided = material.emission_two_sided;
     desc.one_sided = material.one_sided;
+    use(material.normal.texture, BDPT_SLOT_NORMAL, 0, material.normal.factor, uses);
+    use(material.bump.texture, BDPT_SLOT_BUMP, material.bump.channel, material.bump.factor, uses);
+    set_opacity(material, desc, uses);
+    desc.textures = uses.data();
+    desc.texture_count = static_cast<std::uint32_t>(uses.size());
     bdpt_material_id id{};
     check(bdpt_material_add(builder_.get(), &desc, &id), material.where);
     return id;
   }
 
+  // What is a surface between media alone is no surface here.
   void add(InstanceDescription& instance) {
-    const auto shape = static_cast<std::size_t>(instance.shape);
+    if (lowered_[static_cast<std::size_t>(instance.material)].type == kMaterialInterface) return;
     auto desc = sized<bdpt_instance_desc>();
     desc.label = instance.label.c_str();
-    desc.shape = shapes_[shape];
-    desc.material = materials_[static_cast<std::size_t>(instance.material)];
+    desc.shape = once(shapes_, description_.shapes, instance.shape);
+    desc.material = once(materials_, lowered_, instance.material);
     std::copy_n(instance.transform.data(), 12, desc.transform);
     check(bdpt_instance_add(builder_.get(), &desc, &instance.id), instance.where);
   }
@@ -142,26 +217,20 @@ class Uploader {
     check(bdpt_light_add(builder_.get(), &desc, &id), light.where);
   }
 
+  bdpt_context* context_;
   SceneDescription& description_;
+  Diagnostics silent_;  // whoever read the scene told of all that is lost
+  Notes notes_;
   Builder builder_;
-  std::vector<bdpt_shape_id> shapes_;
-  std::vector<bdpt_texture_id> textures_;
-  std::vector<bdpt_material_id> materials_;
+  std::vector<MaterialDescription> lowered_;
+  std::vector<std::optional<bdpt_shape_id>> shapes_;
+  std::vector<std::optional<bdpt_texture_id>> textures_;
+  std::vector<std::optional<bdpt_material_id>> materials_;
 };
 
 }  // namespace
 
-SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".pbrt") return read_pbrt_scene(path, diagnostics);
-  if (extension == ".gltf" || extension == ".glb") return read_gltf_scene(path, diagnostics);
-  throw Error(Location{path, 0},
-              "not a scene this program can read; it reads pbrt-v4 files, named *.pbrt, and glTF 2.0 files, named "
-              "*.gltf or *.glb");
-}
-
 Scene build_scene(bdpt_context* context, SceneDescription& description, bdpt_cancel* cancel) {
-  convert_colors(context, description);
   return Uploader(context, description).build(cancel);
 }
 

@@ -7,12 +7,9 @@
 
 #include "camera_options.h"
 #include "handles.h"
-#include "scene_description.h"
+#include "scene_read.h"
 
 namespace bdpt_tool {
-
-// Reads a scene file: pbrt-v4 or glTF 2.0, as its name ends.
-SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics);
 
 // Builds the scene. Instances are told their ids. The meshes move into the library, which borrows their memory. Returns
 // no scene if cancelled.

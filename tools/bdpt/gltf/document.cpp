@@ -1,4 +1,4 @@
-// The only place that knows tinygltf.
+// Reads a file by tinygltf, and turns what that says into a document.
 //
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf/document.h"
@@ -14,11 +14,7 @@
 #include "gltf/schema.h"
 
 #define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_FS
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
+#include "gltf/tinygltf.h"
 
 namespace bdpt_tool::gltf {
 
@@ -30,8 +26,9 @@ std::string place(const char* array, std::size_t index, const std::string& name)
 
 namespace {
 
-// An accessor without data is all zero, and costs its file nothing.
-constexpr std::size_t kMaxZeroElements = std::size_t{1} << 26;
+// An accessor without data is all zero, and costs its file nothing: there may be so many elements, or as many as
+// another has data for.
+constexpr std::size_t kMaxZeroElements = std::size_t{1} << 16;
 
 // The buffers in files of their own, in the order in which tinygltf asks for them.
 struct Supply {
@@ -84,7 +81,7 @@ std::string first_line(const std::string& text) {
   return text.substr(0, std::min(text.find('\n'), text.find("data:")));
 }
 
-tinygltf::Model load(const std::string& path) {
+tinygltf::Model load(const std::string& path, const SceneFolder& folder) {
   const Location where{path, 0};
   const FileData file(path);
   const std::string_view data = file.text();
@@ -92,7 +89,7 @@ tinygltf::Model load(const std::string& path) {
     throw Error(where, "larger than 2 GiB; put its data into buffers of their own");
   }
   const Container container = open_container(path, data);
-  Supply supply{check_document(path, container), 0, where};
+  Supply supply{check_document(path, folder, container), 0, where};
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keep_image, nullptr);
   loader.SetFsCallbacks(file_callbacks<tinygltf::FsCallbacks>(supply));
@@ -109,17 +106,19 @@ tinygltf::Model load(const std::string& path) {
 
 class Converter {
  public:
-  Converter(const std::string& path, tinygltf::Model&& model) : where_{path, 0}, model_(std::move(model)) {}
+  Converter(const std::string& path, const SceneFolder& folder, const std::string& scene, tinygltf::Model&& model)
+      : where_{path, 0}, folder_(folder), scene_(scene), model_(std::move(model)) {}
 
   Document convert() {
     convert_data();
-    for (const tinygltf::Material& material : model_.materials) document_.materials.push_back(converted(material));
+    for (const tinygltf::Material& material : model_.materials) document_.materials.push_back(read_material(material));
     for (const tinygltf::Texture& texture : model_.textures) document_.textures.push_back(converted(texture));
     for (const tinygltf::Mesh& mesh : model_.meshes) document_.meshes.push_back(converted(mesh));
     for (const tinygltf::Camera& camera : model_.cameras) document_.cameras.push_back(converted(camera));
     for (const tinygltf::Light& light : model_.lights) document_.lights.push_back(converted(light));
+    for (const tinygltf::Skin& skin : model_.skins) document_.skins.push_back(converted(skin));
     for (const tinygltf::Node& node : model_.nodes) document_.nodes.push_back(converted(node));
-    choose_scene();
+    choose_scene(scene_);
     document_.extensions = model_.extensionsUsed;
     document_.has_animations = !model_.animations.empty();
     return std::move(document_);
@@ -130,6 +129,9 @@ class Converter {
 
   void convert_data() {
     for (tinygltf::Buffer& buffer : model_.buffers) document_.storage.push_back(std::move(buffer.data));
+    for (const tinygltf::Accessor& accessor : model_.accessors) {
+      if (accessor.bufferView >= 0) max_zero_elements_ = std::max(max_zero_elements_, accessor.count);
+    }
     for (std::size_t i = 0; i < model_.accessors.size(); ++i) {
       document_.accessors.push_back(converted(model_.accessors[i], place("accessors", i)));
     }
@@ -142,7 +144,7 @@ class Converter {
         converted.size = view.byteLength;
       } else if (!image.uri.empty()) {
         // tinygltf leaves a data URI of a kind it does not know as it is; without bytes it is no image.
-        if (!image.uri.starts_with("data:")) converted.path = path_of_uri(where_.file, image.uri);
+        if (!image.uri.starts_with("data:")) converted.path = folder_.path_of(percent_decoded(image.uri), where_);
       } else {
         document_.storage.push_back(std::move(image.image));
         converted.data = document_.storage.back().data();
@@ -191,7 +193,7 @@ class Converter {
       const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(from.bufferView)].byteStride;
       if (stride > 0) to.stride = stride;
       to.data = checked(from.bufferView, from.byteOffset, to.count, to.stride, size, at);
-    } else if (to.count > kMaxZeroElements) {
+    } else if (to.count > max_zero_elements_) {
       fail(at, "has no data for its " + std::to_string(to.count) + " elements");
     }
     if (from.sparse.isSparse) convert_sparse(from, size, at + ".sparse", to);
@@ -214,80 +216,23 @@ class Converter {
                                size, at + ".values");
   }
 
-  static const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const char* name) {
-    const auto found = extensions.find(name);
-    return found == extensions.end() ? nullptr : &found->second;
-  }
-
-  static double number(const tinygltf::Value& object, const char* name, double fallback) {
-    return object.Has(name) ? object.Get(name).GetNumberAsDouble() : fallback;
-  }
-
-  static std::array<double, 2> pair(const tinygltf::Value& object, const char* name,
-                                    const std::array<double, 2>& fallback) {
-    if (!object.Has(name)) return fallback;
-    const tinygltf::Value& values = object.Get(name);
-    return {values.Get(0).GetNumberAsDouble(), values.Get(1).GetNumberAsDouble()};
-  }
-
-  static TextureUse converted(const tinygltf::TextureInfo& from) {
-    TextureUse to;
-    to.texture = from.index;
-    to.uv_set = from.texCoord;
-    if (const tinygltf::Value* transform = extension(from.extensions, "KHR_texture_transform")) {
-      to.transform.offset = pair(*transform, "offset", {0, 0});
-      to.transform.scale = pair(*transform, "scale", {1, 1});
-      to.transform.rotation = number(*transform, "rotation", 0);
-      to.uv_set = static_cast<int>(number(*transform, "texCoord", to.uv_set));
-    }
-    return to;
-  }
-
-  static Material converted(const tinygltf::Material& from) {
-    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
-    Material to;
-    to.name = from.name;
-    std::copy_n(pbr.baseColorFactor.begin(), 4, to.base_color.begin());
-    to.base_color_texture = converted(pbr.baseColorTexture);
-    to.metallic = pbr.metallicFactor;
-    to.roughness = pbr.roughnessFactor;
-    to.has_metallic_roughness_texture = pbr.metallicRoughnessTexture.index >= 0;
-    to.has_normal_texture = from.normalTexture.index >= 0;
-    to.has_occlusion_texture = from.occlusionTexture.index >= 0;
-    to.double_sided = from.doubleSided;
-    to.opaque = from.alphaMode == "OPAQUE";
-    convert_emission(from, to);
-    to.unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
-    if (const tinygltf::Value* ior = extension(from.extensions, "KHR_materials_ior")) {
-      to.ior = number(*ior, "ior", 1.5);
-    }
-    if (const tinygltf::Value* transmission = extension(from.extensions, "KHR_materials_transmission")) {
-      to.transmission = number(*transmission, "transmissionFactor", 0);
-      to.has_transmission_texture = transmission->Has("transmissionTexture");
-    }
-    const tinygltf::Value* volume = extension(from.extensions, "KHR_materials_volume");
-    to.has_volume = volume && number(*volume, "thicknessFactor", 0) > 0;
-    return to;
-  }
-
-  static void convert_emission(const tinygltf::Material& from, Material& to) {
-    double strength = 1;
-    if (const tinygltf::Value* value = extension(from.extensions, "KHR_materials_emissive_strength")) {
-      strength = number(*value, "emissiveStrength", 1);
-    }
-    for (std::size_t c = 0; c < 3; ++c) to.emissive[c] = from.emissiveFactor[c] * strength;
-    to.emissive_texture = from.emissiveTexture.index;
-  }
-
   Texture converted(const tinygltf::Texture& from) const {
     Texture to;
     to.image = from.source;
+    for (const auto& [name, value] : from.extensions) {
+      if (to.image < 0 && value.Has("source")) to.unread = name;
+    }
     if (from.sampler >= 0) {
       const tinygltf::Sampler& sampler = model_.samplers[static_cast<std::size_t>(from.sampler)];
-      to.repeats = sampler.wrapS == TINYGLTF_TEXTURE_WRAP_REPEAT && sampler.wrapT == TINYGLTF_TEXTURE_WRAP_REPEAT;
+      to.wrap = {wrap(sampler.wrapS), wrap(sampler.wrapT)};
       to.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
     return to;
+  }
+
+  static Wrap wrap(int mode) {
+    if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::kClamp;
+    return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::kMirror : Wrap::kRepeat;
   }
 
   static Mesh converted(const tinygltf::Mesh& from) {
@@ -295,10 +240,13 @@ class Converter {
     to.name = from.name;
     for (const tinygltf::Primitive& primitive : from.primitives) {
       to.primitives.push_back({static_cast<Mode>(primitive.mode), primitive.indices, primitive.material,
-                               primitive.attributes, !primitive.targets.empty()});
+                               primitive.attributes, primitive.targets});
     }
+    to.weights = from.weights;
     return to;
   }
+
+  static Skin converted(const tinygltf::Skin& from) { return {from.joints, from.inverseBindMatrices}; }
 
   Camera converted(const tinygltf::Camera& from) const {
     const bool perspective = from.type == "perspective";
@@ -326,6 +274,7 @@ class Converter {
     to.mesh = from.mesh;
     to.camera = from.camera;
     to.skin = from.skin;
+    to.weights = from.weights;
     if (from.matrix.size() == 16) std::copy_n(from.matrix.begin(), 16, to.matrix.emplace().begin());
     if (from.translation.size() == 3) std::copy_n(from.translation.begin(), 3, to.translation.begin());
     if (from.rotation.size() == 4) std::copy_n(from.rotation.begin(), 4, to.rotation.begin());
@@ -342,19 +291,35 @@ class Converter {
     return to;
   }
 
-  void choose_scene() {
+  void choose_scene(const std::string& wanted) {
     document_.scene_count = model_.scenes.size();
     if (model_.scenes.empty()) throw Error(where_, "there is no scene in it");
-    document_.roots = model_.scenes[static_cast<std::size_t>(std::max(model_.defaultScene, 0))].nodes;
+    std::size_t chosen = static_cast<std::size_t>(std::max(model_.defaultScene, 0));
+    if (!wanted.empty()) chosen = scene_named(wanted);
+    document_.roots = model_.scenes[chosen].nodes;
+  }
+
+  std::size_t scene_named(const std::string& wanted) const {
+    std::string all;
+    for (std::size_t i = 0; i < model_.scenes.size(); ++i) {
+      if (model_.scenes[i].name == wanted || std::to_string(i) == wanted) return i;
+      all += (i == 0 ? "" : ", ") + place("scenes", i, model_.scenes[i].name);
+    }
+    throw Error(where_, "there is no scene '" + wanted + "' in it; there are " + all);
   }
 
   Location where_;
+  const SceneFolder& folder_;
+  const std::string& scene_;
   tinygltf::Model model_;
   Document document_;
+  std::size_t max_zero_elements_ = kMaxZeroElements;
 };
 
 }  // namespace
 
-Document read_document(const std::string& path) { return Converter(path, load(path)).convert(); }
+Document read_document(const std::string& path, const SceneFolder& folder, const std::string& scene) {
+  return Converter(path, folder, scene, load(path, folder)).convert();
+}
 
 }  // namespace bdpt_tool::gltf

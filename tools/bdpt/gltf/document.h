@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "scene_description.h"
+#include "scene_folder.h"
+
 namespace bdpt_tool::gltf {
 
 using Bytes = std::vector<unsigned char>;
@@ -41,32 +44,9 @@ struct Image {
 
 struct Texture {
   int image = -1;
-  bool repeats = true, nearest = false;
-};
-
-// How a material uses a texture.
-struct TextureUse {
-  int texture = -1;
-  int uv_set = 0;
-  struct {
-    std::array<double, 2> offset = {0, 0}, scale = {1, 1};
-    double rotation = 0;
-  } transform;  // KHR_texture_transform
-};
-
-struct Material {
-  std::string name;
-  std::array<double, 4> base_color = {1, 1, 1, 1};
-  TextureUse base_color_texture;
-  double metallic = 1, roughness = 1;
-  std::array<double, 3> emissive = {0, 0, 0};  // times KHR_materials_emissive_strength
-  int emissive_texture = -1;
-  bool has_metallic_roughness_texture = false, has_normal_texture = false, has_occlusion_texture = false;
-  bool double_sided = false, opaque = true, unlit = false;
-  std::optional<double> ior;  // KHR_materials_ior
-  double transmission = 0;    // KHR_materials_transmission
-  bool has_transmission_texture = false;
-  bool has_volume = false;  // KHR_materials_volume, of any thickness
+  std::string unread;  // the extension that has the image, where there is no other
+  std::array<Wrap, 2> wrap = {Wrap::kRepeat, Wrap::kRepeat};
+  bool nearest = false;
 };
 
 enum class Mode { kPoints, kLines, kLineLoop, kLineStrip, kTriangles, kTriangleStrip, kTriangleFan };
@@ -75,7 +55,7 @@ struct Primitive {
   Mode mode = Mode::kTriangles;
   int indices = -1, material = -1;
   std::map<std::string, int> attributes;
-  bool has_targets = false;
+  std::vector<std::map<std::string, int>> targets;  // what morph targets add to the attributes
 
   int attribute(const std::string& name) const {
     const auto found = attributes.find(name);
@@ -86,6 +66,12 @@ struct Primitive {
 struct Mesh {
   std::string name;
   std::vector<Primitive> primitives;
+  std::vector<double> weights;  // of the morph targets
+};
+
+struct Skin {
+  std::vector<int> joints;  // nodes
+  int inverse_bind_matrices = -1;
 };
 
 struct Node {
@@ -95,6 +81,7 @@ struct Node {
   std::optional<std::array<double, 16>> matrix;  // by columns; in place of the three below
   std::array<double, 3> translation = {0, 0, 0}, scale = {1, 1, 1};
   std::array<double, 4> rotation = {0, 0, 0, 1};
+  std::vector<double> weights;            // in place of the mesh's, where there are any
   std::map<std::string, int> instancing;  // EXT_mesh_gpu_instancing: accessors by name; empty without it
 };
 
@@ -120,7 +107,8 @@ struct Document {
   std::size_t scene_count = 0;
   std::vector<Mesh> meshes;
   std::vector<Accessor> accessors;
-  std::vector<Material> materials;
+  std::vector<MaterialDescription> materials;  // their textures are this document's
+  std::vector<Skin> skins;
   std::vector<Texture> textures;
   std::vector<Image> images;
   std::vector<Camera> cameras;
@@ -135,6 +123,7 @@ struct Document {
 std::string place(const char* array, std::size_t index, const std::string& name = {});
 
 // Throws an Error for a file that is damaged, breaks the format's rules, or needs an extension that is not known.
-Document read_document(const std::string& path);
+// `scene` is the name or the number of one; empty = the default one, or the first.
+Document read_document(const std::string& path, const SceneFolder& folder, const std::string& scene);
 
 }  // namespace bdpt_tool::gltf

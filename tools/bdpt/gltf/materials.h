@@ -1,14 +1,14 @@
-// glTF materials as the library's, converted when first used.
+// The materials of a document and their textures, added to the scene when first used.
 //
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <map>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "gltf/document.h"
-#include "gltf/notes.h"
+#include "notes.h"
 #include "scene_description.h"
 
 namespace bdpt_tool::gltf {
@@ -16,29 +16,21 @@ namespace bdpt_tool::gltf {
 class MaterialTable {
  public:
   MaterialTable(const Document& document, SceneDescription& scene, Notes& notes)
-      : document_(document), scene_(scene), notes_(notes), converted_(document.materials.size() + 1, -1) {}
+      : document_(document), scene_(scene), notes_(notes) {}
 
-  // The scene's material for one of the document; -1 = the format's default one.
-  int use(int material);
+  // The scene's material for one of the document; -1 = the format's default one. `colored`: the mesh has colours.
+  int use(int material, bool colored);
 
  private:
-  MaterialDescription convert(const Material& from, const std::string& where);
-  void set_conductor(const Material& from, MaterialDescription& to);
-  void set_dielectric(const Material& from, const std::string& where, MaterialDescription& to);
-  void set_diffuse(const Material& from, const std::string& where, MaterialDescription& to);
-  void set_emission(const Material& from, const std::string& where, MaterialDescription& to);
-  void note_what_is_left_out(const Material& from, const std::string& where);
-
-  ByteImage read_image(int texture) const;
-  int reflectance_texture(int texture, const Rgb& factor);
-  Rgb mean_of(int texture);
+  MaterialDescription converted(int material, bool colored);
+  void use_textures(MaterialDescription& material, const std::string& place);
+  int texture(int texture, bool is_color);
 
   const Document& document_;
   SceneDescription& scene_;
   Notes& notes_;
-  std::vector<int> converted_;                    // the default material comes last
-  std::map<std::tuple<int, Rgb>, int> textures_;  // by image and factor
-  std::map<int, Rgb> means_;                      // by image
+  std::map<std::pair<int, bool>, int> materials_;  // by material, and whether colours multiply it
+  std::map<std::pair<int, bool>, int> textures_;   // by texture, and whether its numbers are colours
 };
 
 }  // namespace bdpt_tool::gltf

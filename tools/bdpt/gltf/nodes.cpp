@@ -14,14 +14,32 @@ class Tree {
       : document_(document), where_(where), parents_(document.nodes.size(), kNone) {}
 
   std::vector<PlacedNode> placed() {
+    find_parents();
+    check_roots();
+    return placed_below(document_.roots);
+  }
+
+  std::vector<PlacedNode> all_placed() {
+    find_parents();
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < parents_.size(); ++i) {
+      if (parents_[i] == kNone) roots.push_back(static_cast<int>(i));
+    }
+    return placed_below(roots);
+  }
+
+ private:
+  void find_parents() {
     for (std::size_t i = 0; i < document_.nodes.size(); ++i) {
       for (const int child : document_.nodes[i].children) set_parent(child, static_cast<int>(i));
     }
     check_cycles();
-    check_roots();
+  }
+
+  std::vector<PlacedNode> placed_below(const std::vector<int>& roots) const {
     std::vector<PlacedNode> placed;
     std::vector<PlacedNode> open;
-    push(document_.roots, Transform(), open);
+    push(roots, Transform(), open);
     while (!open.empty()) {
       const PlacedNode next = open.back();
       open.pop_back();
@@ -31,7 +49,6 @@ class Tree {
     return placed;
   }
 
- private:
   const Node& node(int index) const { return document_.nodes[static_cast<std::size_t>(index)]; }
   std::string name(int index) const { return place("nodes", static_cast<std::size_t>(index), node(index).name); }
   [[noreturn]] void fail(int index, const std::string& text) const { throw Error(where_, name(index) + " " + text); }
@@ -101,6 +118,14 @@ class Tree {
 
 std::vector<PlacedNode> place_nodes(const Document& document, const Location& where) {
   return Tree(document, where).placed();
+}
+
+std::vector<Transform> transforms_to_world(const Document& document, const Location& where) {
+  std::vector<Transform> transforms(document.nodes.size());
+  for (const PlacedNode& placed : Tree(document, where).all_placed()) {
+    transforms[static_cast<std::size_t>(placed.node)] = placed.to_world;
+  }
+  return transforms;
 }
 
 Transform compose(const std::array<double, 3>& translation, const std::array<double, 4>& rotation,

@@ -20,6 +20,9 @@ struct PlacedNode {
 // is its own ancestor, or if its transform is not finite or not affine.
 std::vector<PlacedNode> place_nodes(const Document& document, const Location& where);
 
+// The transforms of all nodes, of whatever scene, which place_nodes has found sound.
+std::vector<Transform> transforms_to_world(const Document& document, const Location& where);
+
 // Translation times rotation, by a quaternion x, y, z, w of any length but zero, times scale.
 Transform compose(const std::array<double, 3>& translation, const std::array<double, 4>& rotation,
                   const std::array<double, 3>& scale);

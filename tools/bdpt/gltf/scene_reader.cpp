@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 
-#include "gltf/accessor.h"
+#include "default_view.h"
+#include "gltf/instancing.h"
+#include "gltf/lights.h"
 #include "gltf/materials.h"
 #include "gltf/meshes.h"
 #include "gltf/nodes.h"
-#include "gltf/view.h"
+#include "gltf/skins.h"
 
 namespace bdpt_tool {
 namespace gltf {
@@ -18,14 +22,24 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMaxPixels = 65536;
 
-// Extensions that are read; materials.cpp tells how far.
-constexpr const char* kRead[] = {"KHR_lights_punctual",    "KHR_materials_emissive_strength",
-                                 "KHR_materials_ior",      "KHR_materials_transmission",
-                                 "KHR_materials_unlit",    "KHR_materials_volume",
-                                 "KHR_mesh_quantization",  "KHR_texture_transform",
-                                 "EXT_mesh_gpu_instancing"};
-
-Rgb rgb(const Vec3& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
+// Extensions that are read, and those that change nothing here.
+constexpr const char* kRead[] = {"KHR_lights_punctual",
+                                 "KHR_materials_anisotropy",
+                                 "KHR_materials_clearcoat",
+                                 "KHR_materials_dispersion",
+                                 "KHR_materials_emissive_strength",
+                                 "KHR_materials_ior",
+                                 "KHR_materials_iridescence",
+                                 "KHR_materials_sheen",
+                                 "KHR_materials_specular",
+                                 "KHR_materials_transmission",
+                                 "KHR_materials_unlit",
+                                 "KHR_materials_volume",
+                                 "KHR_mesh_quantization",
+                                 "KHR_texture_transform",
+                                 "EXT_mesh_gpu_instancing",
+                                 "KHR_xmp",
+                                 "KHR_xmp_json_ld"};
 
 // Scaling and shear taken out.
 Transform rigid(const Transform& t) {
@@ -38,12 +52,12 @@ Transform rigid(const Transform& t) {
 
 class Reader {
  public:
-  Reader(const std::string& path, Diagnostics& diagnostics)
+  Reader(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics)
       : where_{path, 0},
-        document_(read_document(path)),
+        document_(read_document(path, SceneFolder(path, options.folder), options.scene)),
+        has_choice_(!options.scene.empty()),
         notes_(path, diagnostics),
-        materials_(document_, scene_, notes_),
-        shapes_(document_.meshes.size()) {
+        materials_(document_, scene_, notes_) {
     scene_.path = path;
   }
 
@@ -59,11 +73,7 @@ class Reader {
       notes_.tell();
       throw Error(where_, "the scene is empty; it needs a mesh");
     }
-    if (!has_camera_) {
-      scene_.camera = framing_camera(scene_);
-      notes_.add("there is no camera; one that sees all of the scene is used");
-    }
-    scene_.camera.where = where_;
+    complete(scene_, has_camera_, notes_);
     notes_.tell();
     return std::move(scene_);
   }
@@ -80,8 +90,9 @@ class Reader {
   }
 
   void note_what_is_left_out() {
-    if (document_.scene_count > 1) {
-      notes_.add("one scene of " + std::to_string(document_.scene_count) + " is read, the default one or the first");
+    if (document_.scene_count > 1 && !has_choice_) {
+      notes_.add("one scene of " + std::to_string(document_.scene_count) +
+                 " is read, the default one or the first; choose another by --scene");
     }
     if (document_.has_animations) notes_.add("animations are left out: everything stays as it is at rest");
     for (const std::string& extension : document_.extensions) {
@@ -91,40 +102,70 @@ class Reader {
     }
   }
 
-  const std::vector<Part>& parts(int mesh) {
-    const auto slot = static_cast<std::size_t>(mesh);
-    if (!shapes_[slot])
-      shapes_[slot] = read_mesh(document_.meshes[slot], place("meshes", slot, document_.meshes[slot].name));
-    return *shapes_[slot];
+  // The shapes of a node's mesh, in its pose; nodes that have it alike share them.
+  const std::vector<Part>& parts(const PlacedNode& placed) {
+    const Node& from = node(placed);
+    const auto slot = static_cast<std::size_t>(from.mesh);
+    const Mesh& mesh = document_.meshes[slot];
+    Pose pose;
+    pose.weights = from.weights.empty() ? mesh.weights : from.weights;
+    const PoseKey key(from.mesh, from.skin, pose.weights);
+    if (const auto found = shapes_.find(key); found != shapes_.end()) return found->second;
+    if (from.skin >= 0) {
+      if (to_world_.empty()) to_world_ = transforms_to_world(document_, where_);
+      pose.joints = joint_matrices(document_, from.skin, to_world_, where_);
+    }
+    return shapes_[key] = read_mesh(mesh, pose, place("meshes", slot, mesh.name));
   }
 
-  std::vector<Part> read_mesh(const Mesh& mesh, const std::string& place) {
+  std::vector<Part> read_mesh(const Mesh& mesh, const Pose& pose, const std::string& place) {
     std::vector<Part> parts;
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
       const Primitive& primitive = mesh.primitives[i];
-      const TextureUse texture =
-          primitive.material < 0 ? TextureUse()
-                                 : document_.materials[static_cast<std::size_t>(primitive.material)].base_color_texture;
       const std::string where = place + ".primitives[" + std::to_string(i) + "]";
-      auto triangles = read_primitive(document_, primitive, texture, where_, where, notes_);
       Part part;
-      if (triangles) {
-        part.material = materials_.use(primitive.material);
-        part.shape = static_cast<int>(scene_.shapes.size());
-        scene_.shapes.push_back({mesh.name.empty() ? place : mesh.name, where_, std::move(*triangles)});
+      part.shape = shape_of(primitive, pose, mesh.name.empty() ? place : mesh.name, where);
+      if (part.shape >= 0) {
+        const auto& geometry = scene_.shapes[static_cast<std::size_t>(part.shape)].geometry;
+        const auto& triangles = std::get<TriangleMesh>(geometry);
+        part.material = materials_.use(primitive.material, !triangles.colors.empty());
+        note_missing_uv(triangles, scene_.materials[static_cast<std::size_t>(part.material)], where);
       }
       parts.push_back(part);
     }
     return parts;
   }
 
+  // Primitives of the same accessors are one shape, whatever their materials; -1 for what has no triangles. Those of
+  // skins are made for each.
+  int shape_of(const Primitive& primitive, const Pose& pose, const std::string& label, const std::string& where) {
+    const PrimitiveKey key(primitive.mode, primitive.indices, primitive.attributes, primitive.targets, pose.weights);
+    const bool shared = pose.joints.empty();
+    if (const auto found = primitives_.find(key); shared && found != primitives_.end()) return found->second;
+    auto triangles = read_primitive(document_, primitive, pose, where_, where, notes_);
+    const int shape = triangles ? static_cast<int>(scene_.shapes.size()) : -1;
+    if (triangles) scene_.shapes.push_back({label, where_, std::move(*triangles)});
+    if (shared && triangles) primitives_.emplace(key, shape);
+    return shape;
+  }
+
+  void note_missing_uv(const TriangleMesh& mesh, const MaterialDescription& material, const std::string& place) {
+    const TextureUse& use = material.reflectance_texture;
+    if (use.texture < 0 || !(use.uv_set == 0 ? mesh.uv : mesh.uv_lightmap).empty()) return;
+    notes_.add("a texture without texture coordinates is shown anyhow", place);
+  }
+
+  // What has a skin stands where its joints are, wherever its node is.
   void place_mesh(const PlacedNode& placed) {
     const Node& from = node(placed);
     if (from.mesh < 0) return;
-    if (from.skin >= 0) notes_.add("skins are left out: meshes stay as they are at rest", name(placed));
     const std::string label = from.name.empty() ? name(placed) : from.name;
+    if (from.skin >= 0) {
+      notes_.add("skins stay as they are at rest", name(placed));
+      return place_mesh(placed, Transform(), label);
+    }
     if (from.instancing.empty()) return place_mesh(placed, placed.to_world, label);
-    const std::vector<Transform> copies = instancing(placed);
+    const std::vector<Transform> copies = copies_of(document_, from, where_, name(placed));
     for (std::size_t i = 0; i < copies.size(); ++i) {
       place_mesh(placed, placed.to_world * copies[i], label + "[" + std::to_string(i) + "]");
     }
@@ -133,7 +174,7 @@ class Reader {
   void place_mesh(const PlacedNode& placed, const Transform& to_world, const std::string& label) {
     if (!to_world.is_finite()) throw Error(where_, name(placed) + " has a transform that is not finite");
     if (!to_world.is_invertible()) return notes_.add("what is scaled to nothing is left out", name(placed));
-    const std::vector<Part>& all = parts(node(placed).mesh);
+    const std::vector<Part>& all = parts(placed);
     const std::size_t number = scene_.instances.size();
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (all[i].shape < 0) continue;
@@ -142,68 +183,12 @@ class Reader {
     }
   }
 
-  // EXT_mesh_gpu_instancing.
-  std::vector<Transform> instancing(const PlacedNode& placed) const {
-    const std::vector<float> translations = instancing_attribute(placed, "TRANSLATION", 3);
-    const std::vector<float> rotations = instancing_attribute(placed, "ROTATION", 4);
-    const std::vector<float> scales = instancing_attribute(placed, "SCALE", 3);
-    const std::size_t count = std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3});
-    for (const std::size_t other : {translations.size() / 3, rotations.size() / 4, scales.size() / 3}) {
-      if (other != 0 && other != count) {
-        throw Error(where_, name(placed) + ": EXT_mesh_gpu_instancing has attributes of different lengths");
-      }
-    }
-    std::vector<Transform> copies(std::max<std::size_t>(count, 1));
-    for (std::size_t i = 0; i < count; ++i) {
-      std::array<double, 3> translation = {0, 0, 0}, scale = {1, 1, 1};
-      std::array<double, 4> rotation = {0, 0, 0, 1};
-      if (!translations.empty())
-        std::copy_n(translations.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, translation.begin());
-      if (!rotations.empty()) std::copy_n(rotations.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, rotation.begin());
-      if (!scales.empty()) std::copy_n(scales.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, scale.begin());
-      copies[i] = compose(translation, rotation, scale);
-    }
-    return copies;
-  }
-
-  std::vector<float> instancing_attribute(const PlacedNode& placed, const std::string& attribute,
-                                          int components) const {
-    const auto found = node(placed).instancing.find(attribute);
-    if (found == node(placed).instancing.end()) return {};
-    return read_floats(document_.accessors[static_cast<std::size_t>(found->second)], components, where_,
-                       name(placed) + " " + attribute);
-  }
-
   void place_light(const PlacedNode& placed) {
     if (node(placed).light < 0) return;
     const auto slot = static_cast<std::size_t>(node(placed).light);
     const Light& from = document_.lights[slot];
     const std::string what = place("lights", slot, from.name);
-    if (from.type == "directional") return notes_.add("directional lights are not known yet, and are left out", what);
-    if (from.type != "point" && from.type != "spot") {
-      throw Error(where_, what + " is of the unknown type '" + from.type + "'");
-    }
-    LightDescription light;
-    light.where = where_;
-    light.position = rgb(placed.to_world.point({0, 0, 0}));
-    for (std::size_t c = 0; c < 3; ++c) light.value[c] = static_cast<float>(from.color[c] * from.intensity);
-    if (from.has_range) notes_.add("the range of a light is left out: it reaches everywhere", what);
-    if (from.type == "spot") set_spot(from, what, placed, light);
-    scene_.lights.push_back(light);
-  }
-
-  void set_spot(const Light& from, const std::string& what, const PlacedNode& placed, LightDescription& light) {
-    if (from.inner_angle >= from.outer_angle) {
-      throw Error(where_, what + ": innerConeAngle must be less than outerConeAngle");
-    }
-    const Vec3 axis = placed.to_world.vector({0, 0, -1});
-    if (!(length(axis) > 0)) throw Error(where_, name(placed) + " has a light, and no direction: its scale is zero");
-    light.type = BDPT_LIGHT_SPOT;
-    light.direction = rgb(normalized(axis));
-    light.cone_angle = static_cast<float>(from.outer_angle * kDegrees);
-    light.cone_falloff =
-        std::min(light.cone_angle, static_cast<float>((from.outer_angle - from.inner_angle) * kDegrees));
-    notes_.add("the edge of a spot falls off smoothly at both its ends", what);
+    scene_.lights.push_back(placed_light(from, placed.to_world, where_, what, notes_));
   }
 
   void place_camera(const PlacedNode& placed) {
@@ -228,20 +213,27 @@ class Reader {
     }
   }
 
+  using PoseKey = std::tuple<int, int, std::vector<double>>;  // mesh, skin, weights
+  using Accessors = std::map<std::string, int>;
+  using PrimitiveKey = std::tuple<Mode, int, Accessors, std::vector<Accessors>, std::vector<double>>;
+
   Location where_;
   Document document_;
+  bool has_choice_;
   SceneDescription scene_;
   Notes notes_;
   MaterialTable materials_;
-  std::vector<std::optional<std::vector<Part>>> shapes_;  // by mesh
+  std::map<PoseKey, std::vector<Part>> shapes_;
+  std::map<PrimitiveKey, int> primitives_;
+  std::vector<Transform> to_world_;  // of all nodes, if a skin asks
   bool has_camera_ = false;
 };
 
 }  // namespace
 }  // namespace gltf
 
-SceneDescription read_gltf_scene(const std::string& path, Diagnostics& diagnostics) {
-  return gltf::Reader(path, diagnostics).read();
+SceneDescription read_gltf_scene(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics) {
+  return gltf::Reader(path, options, diagnostics).read();
 }
 
 }  // namespace bdpt_tool

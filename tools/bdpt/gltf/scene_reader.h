@@ -6,7 +6,7 @@
 #include <string>
 
 #include "error.h"
-#include "scene_description.h"
+#include "scene_read.h"
 
 namespace bdpt_tool {
 
@@ -14,6 +14,6 @@ namespace bdpt_tool {
 // with "/0", "/1", ... for the primitives where there are several. Candela become W/sr, and emission W/(m² sr), one to
 // one. Throws an Error where the file is damaged, breaks the format's rules or requires what is not known; what is left
 // out or only come near to is warned of, once for each kind.
-SceneDescription read_gltf_scene(const std::string& path, Diagnostics& diagnostics);
+SceneDescription read_gltf_scene(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics);
 
 }  // namespace bdpt_tool

@@ -2,7 +2,6 @@
 #include "gltf/schema.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "error.h"
 #include "gltf/schema_checker.h"
@@ -63,21 +62,6 @@ int hex_digit(char c) {
   return -1;
 }
 
-std::string percent_decoded(const std::string& uri) {
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
-    const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
-    if (low < 0) {
-      text += uri[i];
-    } else {
-      text += static_cast<char>(16 * high + low);
-      i += 2;
-    }
-  }
-  return text;
-}
-
 const Json& elements(const Json& document, const char* name) {
   static const Json none = Json::array();
   const Json* found = member(&document, name);
@@ -97,7 +81,12 @@ void check_extensions(const Checker& checker, const Json& document) {
     const auto name = required.get<std::string>();
     const bool known =
         name.starts_with("KHR_materials_") || std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
-    if (!known) checker.fail("extensionsRequired", "names " + name + ", which is not known here; export without it");
+    if (known) continue;
+    std::string advice = "export without it";
+    if (name == "KHR_draco_mesh_compression") advice = "write the meshes uncompressed";
+    if (name == "EXT_meshopt_compression") advice = "write the buffers uncompressed";
+    if (name == "KHR_texture_basisu" || name == "EXT_texture_webp") advice = "write the textures as PNG or JPEG";
+    checker.fail("extensionsRequired", "names " + name + ", which is not read here; " + advice);
   }
 }
 
@@ -107,8 +96,8 @@ std::size_t base64_size(std::string_view uri) {
   return text.size() * 3 / 4;
 }
 
-std::vector<ExternalBuffer> check_buffers(const Checker& checker, const std::string& path, const Container& container,
-                                          const Json& document) {
+std::vector<ExternalBuffer> check_buffers(const Checker& checker, const std::string& path, const SceneFolder& folder,
+                                          const Container& container, const Json& document) {
   std::vector<ExternalBuffer> external;
   std::size_t i = 0;
   for (const Json& buffer : elements(document, "buffers")) {
@@ -122,7 +111,7 @@ std::vector<ExternalBuffer> check_buffers(const Checker& checker, const std::str
     const auto length = buffer["byteLength"].get<std::size_t>();
     if (text.empty()) checker.fail(at + ".uri", "is empty");
     if (!text.starts_with("data:")) {
-      external.push_back({path_of_uri(path, text), length});
+      external.push_back({folder.path_of(percent_decoded(text), {path, 0}), length});
     } else if (!text.starts_with("data:application/octet-stream;base64,") &&
                !text.starts_with("data:application/gltf-buffer;base64,")) {
       checker.fail(at + ".uri", "must begin with data:application/octet-stream;base64, or name a file");
@@ -149,11 +138,23 @@ void check_views(const Checker& checker, const Json& document) {
 
 }  // namespace
 
-std::string path_of_uri(const std::string& path, const std::string& uri) {
-  return (std::filesystem::path(path).parent_path() / percent_decoded(uri)).string();
+std::string percent_decoded(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
+    const int low = high >= 0 ? hex_digit(uri[i + 2]) : -1;
+    if (low < 0) {
+      text += uri[i];
+    } else {
+      text += static_cast<char>(16 * high + low);
+      i += 2;
+    }
+  }
+  return text;
 }
 
-std::vector<ExternalBuffer> check_document(const std::string& path, const Container& container) {
+std::vector<ExternalBuffer> check_document(const std::string& path, const SceneFolder& folder,
+                                           const Container& container) {
   const Json document = parse(path, container);
   if (!document.is_object()) throw Error(Location{path, 0}, "its JSON must be an object, in braces");
   const Checker checker(path, document);
@@ -161,8 +162,15 @@ std::vector<ExternalBuffer> check_document(const std::string& path, const Contai
   check_version(checker, document);
   check_extensions(checker, document);
   for (const Rule& rule : kRules) checker.check(rule);
+  for (const char* texture : kTextureInfos) {
+    for (Rule rule : kTextureInfoRules) {
+      const std::string path_of_rule = std::string(texture) + "." + rule.path;
+      rule.path = path_of_rule.c_str();
+      checker.check(rule);
+    }
+  }
   check_views(checker, document);
-  return check_buffers(checker, path, container, document);
+  return check_buffers(checker, path, folder, container, document);
 }
 
 }  // namespace bdpt_tool::gltf

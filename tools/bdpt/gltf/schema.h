@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gltf/container.h"
+#include "scene_folder.h"
 
 namespace bdpt_tool::gltf {
 
@@ -19,9 +20,10 @@ struct ExternalBuffer {
 
 // Throws an Error that names the property, such as nodes[3].mesh, and says what it must be. Returns the buffers in
 // files of their own, in the order of the document.
-std::vector<ExternalBuffer> check_document(const std::string& path, const Container& container);
+std::vector<ExternalBuffer> check_document(const std::string& path, const SceneFolder& folder,
+                                           const Container& container);
 
-// The file a relative URI means: percent-decoded, in the folder of `path`.
-std::string path_of_uri(const std::string& path, const std::string& uri);
+// What a relative URI means.
+std::string percent_decoded(const std::string& uri);
 
 }  // namespace bdpt_tool::gltf

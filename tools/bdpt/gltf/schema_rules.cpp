@@ -92,28 +92,33 @@ constexpr Rule kBody[] = {
     boolean("materials[].doubleSided"),
     text("materials[].alphaMode"),
     numbers("materials[].emissiveFactor", 3, 0),
-    index("materials[].emissiveTexture.index", "textures", kRequired),
-    index("materials[].normalTexture.index", "textures", kRequired),
+    number("materials[].alphaCutoff", 0),
     number("materials[].normalTexture.scale"),
-    index("materials[].occlusionTexture.index", "textures", kRequired),
-    number("materials[].occlusionTexture.strength"),
     numbers("materials[].pbrMetallicRoughness.baseColorFactor", 4, 0, 1),
     number("materials[].pbrMetallicRoughness.metallicFactor", 0, 1),
     number("materials[].pbrMetallicRoughness.roughnessFactor", 0, 1),
-    index("materials[].pbrMetallicRoughness.metallicRoughnessTexture.index", "textures", kRequired),
-    index("materials[].pbrMetallicRoughness.baseColorTexture.index", "textures", kRequired),
-    integer("materials[].pbrMetallicRoughness.baseColorTexture.texCoord", 0, kMaxInt),
-    object("materials[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform"),
-    numbers("materials[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.offset", 2),
-    numbers("materials[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.scale", 2),
-    number("materials[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.rotation"),
-    integer("materials[].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.texCoord", 0, kMaxInt),
     object("materials[].extensions"),
+    object("materials[].extensions.KHR_materials_unlit"),
     number("materials[].extensions.KHR_materials_emissive_strength.emissiveStrength", 0),
     number("materials[].extensions.KHR_materials_ior.ior", 0),
     number("materials[].extensions.KHR_materials_transmission.transmissionFactor", 0, 1),
-    index("materials[].extensions.KHR_materials_transmission.transmissionTexture.index", "textures", kRequired),
     number("materials[].extensions.KHR_materials_volume.thicknessFactor", 0),
+    number("materials[].extensions.KHR_materials_volume.attenuationDistance", 1e-30),
+    numbers("materials[].extensions.KHR_materials_volume.attenuationColor", 3, 0, 1),
+    number("materials[].extensions.KHR_materials_dispersion.dispersion", 0),
+    number("materials[].extensions.KHR_materials_clearcoat.clearcoatFactor", 0, 1),
+    number("materials[].extensions.KHR_materials_clearcoat.clearcoatRoughnessFactor", 0, 1),
+    number("materials[].extensions.KHR_materials_clearcoat.clearcoatNormalTexture.scale"),
+    numbers("materials[].extensions.KHR_materials_sheen.sheenColorFactor", 3, 0, 1),
+    number("materials[].extensions.KHR_materials_sheen.sheenRoughnessFactor", 0, 1),
+    number("materials[].extensions.KHR_materials_specular.specularFactor", 0, 1),
+    numbers("materials[].extensions.KHR_materials_specular.specularColorFactor", 3, 0),
+    number("materials[].extensions.KHR_materials_iridescence.iridescenceFactor", 0, 1),
+    number("materials[].extensions.KHR_materials_iridescence.iridescenceIor", 1),
+    number("materials[].extensions.KHR_materials_iridescence.iridescenceThicknessMinimum", 0),
+    number("materials[].extensions.KHR_materials_iridescence.iridescenceThicknessMaximum", 0),
+    number("materials[].extensions.KHR_materials_anisotropy.anisotropyStrength", 0, 1),
+    number("materials[].extensions.KHR_materials_anisotropy.anisotropyRotation"),
 
     text("textures[].name"),
     index("textures[].source", "images"),
@@ -141,12 +146,45 @@ constexpr Rule kBody[] = {
     number("extensions.KHR_lights_punctual.lights[].spot.outerConeAngle", 1e-6, std::numbers::pi / 2 + 1e-6),
 
     array("animations"),
-    array("skins"),
+    indices("skins[].joints", "nodes", kRequired),
+    index("skins[].inverseBindMatrices", "accessors"),
+};
+
+constexpr const char* kTextures[] = {
+    "materials[].emissiveTexture",
+    "materials[].normalTexture",
+    "materials[].occlusionTexture",
+    "materials[].pbrMetallicRoughness.metallicRoughnessTexture",
+    "materials[].pbrMetallicRoughness.baseColorTexture",
+    "materials[].extensions.KHR_materials_transmission.transmissionTexture",
+    "materials[].extensions.KHR_materials_volume.thicknessTexture",
+    "materials[].extensions.KHR_materials_clearcoat.clearcoatTexture",
+    "materials[].extensions.KHR_materials_clearcoat.clearcoatRoughnessTexture",
+    "materials[].extensions.KHR_materials_clearcoat.clearcoatNormalTexture",
+    "materials[].extensions.KHR_materials_sheen.sheenColorTexture",
+    "materials[].extensions.KHR_materials_sheen.sheenRoughnessTexture",
+    "materials[].extensions.KHR_materials_specular.specularTexture",
+    "materials[].extensions.KHR_materials_specular.specularColorTexture",
+    "materials[].extensions.KHR_materials_iridescence.iridescenceTexture",
+    "materials[].extensions.KHR_materials_iridescence.iridescenceThicknessTexture",
+    "materials[].extensions.KHR_materials_anisotropy.anisotropyTexture",
+};
+
+constexpr Rule kTextureInfo[] = {
+    index("index", "textures", kRequired),
+    integer("texCoord", 0, kMaxInt),
+    object("extensions.KHR_texture_transform"),
+    numbers("extensions.KHR_texture_transform.offset", 2),
+    numbers("extensions.KHR_texture_transform.scale", 2),
+    number("extensions.KHR_texture_transform.rotation"),
+    integer("extensions.KHR_texture_transform.texCoord", 0, kMaxInt),
 };
 
 }  // namespace
 
 constinit const std::span<const Rule> kHeaderRules = kHeader;
 constinit const std::span<const Rule> kRules = kBody;
+constinit const std::span<const char* const> kTextureInfos = kTextures;
+constinit const std::span<const Rule> kTextureInfoRules = kTextureInfo;
 
 }  // namespace bdpt_tool::gltf

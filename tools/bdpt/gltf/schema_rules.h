@@ -23,4 +23,8 @@ struct Rule {
 // Of what says whether the rest can be understood, and of the rest.
 extern const std::span<const Rule> kHeaderRules, kRules;
 
+// The uses of textures, and what must be below each.
+extern const std::span<const char* const> kTextureInfos;
+extern const std::span<const Rule> kTextureInfoRules;
+
 }  // namespace bdpt_tool::gltf

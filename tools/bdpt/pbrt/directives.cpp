@@ -37,12 +37,12 @@ ParamList expect_params(Lexer& lexer, const Location& where, const char* directi
   return params;
 }
 
-Directives::Directives(SceneDescription& scene, Diagnostics& diagnostics, std::string folder)
+Directives::Directives(SceneDescription& scene, Diagnostics& diagnostics, const SceneFolder& folder)
     : scene_(scene),
       diagnostics_(diagnostics),
-      folder_(std::move(folder)),
-      textures_(scene, diagnostics),
-      shapes_(scene, diagnostics) {
+      folder_(folder),
+      textures_(scene, diagnostics, folder),
+      shapes_(scene, diagnostics, folder) {
   state_.material = std::make_shared<MaterialEntry>();
   state_.material->type = "diffuse";
   state_.material->defined = true;

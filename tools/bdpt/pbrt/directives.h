@@ -15,14 +15,14 @@
 #include "pbrt/materials.h"
 #include "pbrt/shapes.h"
 #include "pbrt/textures.h"
-#include "transform.h"
 #include "scene_description.h"
+#include "transform.h"
 
 namespace bdpt_tool {
 
 class Directives {
  public:
-  Directives(SceneDescription& scene, Diagnostics& diagnostics, std::string folder);
+  Directives(SceneDescription& scene, Diagnostics& diagnostics, const SceneFolder& folder);
 
   // Executes one directive, whose name has just been read. Include and Import are not among them.
   void execute(const Token& name, Lexer& lexer);
@@ -52,6 +52,7 @@ class Directives {
     int shape = 0;
     State state;
     Location where;
+    FloatValue alpha = {};
   };
   struct Scope {
     enum class Kind { kAttribute, kTransform, kObject, kImport } kind;
@@ -110,12 +111,15 @@ class Directives {
   void shape(Lexer&, const Location&);
   void pop(Scope::Kind kind, const Location& where);
   std::shared_ptr<MaterialEntry> material_named(const std::string& name);
+  const MaterialDescription& converted(MaterialEntry& entry, const Location& user, int depth = 0);
+  MaterialDescription mixed(MaterialEntry& entry, const Location& user, int depth);
+  FloatValue alpha_of(const ParamList& params);
   int place_material(const PlacedShape& placed);
   void place(const PlacedShape& placed);
 
   SceneDescription& scene_;
   Diagnostics& diagnostics_;
-  std::string folder_;
+  const SceneFolder& folder_;
   TextureTable textures_;
   ShapeTable shapes_;
   State state_;
@@ -127,7 +131,8 @@ class Directives {
   std::map<std::string, std::vector<PlacedShape>> objects_;
   std::string open_object_;
   std::vector<PlacedShape> placed_;
-  using MaterialKey = std::tuple<const MaterialEntry*, bool, bool, Rgb>;  // turned over, emits on both sides, emission
+  // Turned over, emits on both sides, emission; factor and texture of alpha.
+  using MaterialKey = std::tuple<const MaterialEntry*, bool, bool, Rgb, float, int, std::array<float, 6>>;
   std::map<MaterialKey, int> placed_materials_;
 };
 

@@ -93,7 +93,7 @@ void Directives::texture(Lexer& lexer, const Location& where) {
   std::string kind;
   ParamList params = expect_params(lexer, where, "Texture", kind);
   params.set_directive("Texture \"" + name + "\" \"" + kind + "\"");
-  textures_.define(name, kind, std::move(params), folder_);
+  textures_.define(name, kind, type == "float", std::move(params));
 }
 
 std::shared_ptr<Directives::MaterialEntry> Directives::material_named(const std::string& name) {
@@ -142,14 +142,15 @@ void Directives::light_source(Lexer& lexer, const Location& where) {
   require_world(where, "LightSource");
   std::string type;
   const ParamList params = expect_params(lexer, where, "LightSource", type);
-  scene_.lights.push_back(convert_light(type, params, state_.transform, diagnostics_));
+  scene_.lights.push_back(convert_light(type, params, state_.transform, folder_, scene_, diagnostics_));
 }
 
 void Directives::shape(Lexer& lexer, const Location& where) {
   require_world(where, "Shape");
   std::string type;
   const ParamList params = expect_params(lexer, where, "Shape", type);
-  PlacedShape placed{shapes_.add(type, params, state_.reverse_orientation, folder_), state_, where};
+  const FloatValue alpha = alpha_of(params);
+  PlacedShape placed{shapes_.add(type, params, state_.reverse_orientation), state_, where, alpha};
   if (open_object_.empty()) {
     placed_.push_back(std::move(placed));
     return;
@@ -161,18 +162,69 @@ void Directives::shape(Lexer& lexer, const Location& where) {
   objects_[open_object_].push_back(std::move(placed));
 }
 
+FloatValue Directives::alpha_of(const ParamList& params) {
+  FloatValue alpha;
+  const std::string texture = params.get_texture("alpha");
+  if (texture.empty()) {
+    alpha.factor = params.get_float("alpha", 1);
+  } else {
+    const TextureValue value = textures_.resolve(texture, params);
+    alpha.factor = value.constant[0];
+    alpha.texture = value.use;
+  }
+  if (!(alpha.factor >= 0 && alpha.factor <= 1)) params.fail("alpha must be between 0 and 1");
+  return alpha;
+}
+
+const MaterialDescription& Directives::converted(MaterialEntry& entry, const Location& user, int depth) {
+  if (!entry.defined) {
+    throw Error(user, "there is no material '" + entry.name + "'; define it with MakeNamedMaterial");
+  }
+  if (!entry.converted) {
+    entry.converted = entry.type == "mix" ? mixed(entry, user, depth)
+                                          : convert_material(entry.type, entry.params, textures_, diagnostics_);
+    entry.converted->label = entry.name;
+  }
+  return *entry.converted;
+}
+
+// The two are materials of the scene, too.
+MaterialDescription Directives::mixed(MaterialEntry& entry, const Location& user, int depth) {
+  constexpr int kMaxDepth = 16;
+  const ParamList& params = entry.params;
+  if (depth > kMaxDepth) params.fail("materials are mixed of each other more than 16 deep");
+  MaterialDescription mix;
+  mix.type = kMaterialMix;
+  mix.where = params.where();
+  const Param* names = params.find("materials");
+  if (!names || names->type != "string" || names->strings.size() != 2) {
+    params.fail("needs \"string materials\" with two names");
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const MaterialDescription part = converted(*material_named(names->strings[i]), user, depth + 1);
+    mix.mixed[i] = static_cast<int>(scene_.materials.size());
+    scene_.materials.push_back(part);
+  }
+  const std::string texture = params.get_texture("amount");
+  mix.mix_amount.factor = texture.empty() ? params.get_float("amount", 0.5f) : 1;
+  if (!texture.empty()) {
+    const TextureValue value = textures_.resolve(texture, params);
+    mix.mix_amount = {value.constant[0], value.use, 0};
+  }
+  if (!(mix.mix_amount.factor >= 0 && mix.mix_amount.factor <= 1)) params.fail("amount must be between 0 and 1");
+  params.warn_unused(diagnostics_);
+  return mix;
+}
+
 // One material for each pair of a material of the file and an emission. Turning a sphere over, which the library
 // cannot, comes to the inverse index for glass and to nothing for what does not emit.
 int Directives::place_material(const PlacedShape& placed) {
   MaterialEntry& entry = *placed.state.material;
-  if (!entry.defined) {
-    throw Error(placed.where, "there is no material '" + entry.name + "'; define it with MakeNamedMaterial");
+  MaterialDescription material = converted(entry, placed.where);
+  if (placed.alpha.factor < 1 || placed.alpha.texture.texture >= 0) {
+    material.alpha_mode = AlphaMode::kBlend;
+    material.alpha = placed.alpha;
   }
-  if (!entry.converted) {
-    entry.converted = convert_material(entry.type, entry.params, textures_, diagnostics_);
-    entry.converted->label = entry.name;
-  }
-  MaterialDescription material = *entry.converted;
   if (const auto& light = placed.state.area_light) {
     material.emission = light->radiance;
     material.emission_two_sided = light->two_sided;
@@ -183,10 +235,11 @@ int Directives::place_material(const PlacedShape& placed) {
     throw Error(placed.where, "a sphere that emits to its inside is not known; use a mesh");
   }
   if (turned) material.ior = 1 / material.ior;
-  if (sphere && material.texture >= 0) {
+  if (sphere && material.reflectance_texture.texture >= 0) {
     diagnostics_.warn(placed.where, "the texture may lie differently on a sphere than in pbrt");
   }
-  const MaterialKey key(&entry, turned, material.emission_two_sided, material.emission);
+  const MaterialKey key(&entry, turned, material.emission_two_sided, material.emission, placed.alpha.factor,
+                        placed.alpha.texture.texture, placed.alpha.texture.transform);
   const auto [found, added] = placed_materials_.emplace(key, static_cast<int>(scene_.materials.size()));
   if (added) scene_.materials.push_back(std::move(material));
   return found->second;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pbrt/lights.h"
 
+#include <cmath>
+#include <filesystem>
+
+#include "pbrt/environment.h"
+
 namespace bdpt_tool {
 namespace {
 
@@ -23,14 +28,39 @@ void refuse_photometry(const ParamList& params) {
   params.refuse("illuminance", "is not known yet; give \"rgb L\" and \"float scale\"");
 }
 
-void spot(const ParamList& params, const Transform& to_world, LightDescription& light) {
-  const Vec3 from = to_vec3(params.get_point("from", {0, 0, 0}));
-  const Vec3 to = to_vec3(params.get_point("to", {0, 0, 1}));
+Rgb direction(const ParamList& params, const Transform& to_world) {
+  const Vec3 from = to_vec3(params.get_point("from", {0, 0, 0})), to = to_vec3(params.get_point("to", {0, 0, 1}));
   const Vec3 axis = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   if (length(axis) == 0) params.fail("\"from\" and \"to\" are the same point");
+  return to_rgb(normalized(to_world.vector(normalized(axis))));
+}
+
+// Squares are Clarberg's map of equal areas, as pbrt-v4 has it; others have rows of latitude, as had pbrt-v3.
+void picture(const ParamList& params, const Transform& to_world, const SceneFolder& folder, SceneDescription& scene,
+             LightDescription& light) {
+  if (params.has("L")) params.fail("\"filename\" and \"L\" exclude each other; scale the picture by \"float scale\"");
+  const Param& file = *params.find("filename");
+  const std::string path = folder.path_of(params.get_string("filename", ""), file.where);
+  const Image image = to_linear(read_image(path, file.where));
+  for (const float x : image.pixels) {
+    if (!(x >= 0 && std::isfinite(x))) params.fail(file, "has a texel that is negative or not finite");
+  }
+  if (!to_world.is_invertible()) params.fail("the transform before it is singular");
+  const PlacedPicture placed = place_picture(image, to_world);
+  light.texture = static_cast<int>(scene.textures.size());
+  light.transform = placed.to_world;
+  scene.textures.push_back({.label = std::filesystem::path(path).filename().string(),
+                            .where = file.where,
+                            .image = placed.image,
+                            .exponent = 1,
+                            .wrap = {Wrap::kRepeat, Wrap::kClamp},
+                            .nearest = false});
+}
+
+void spot(const ParamList& params, const Transform& to_world, LightDescription& light) {
   light.type = BDPT_LIGHT_SPOT;
-  light.position = to_rgb(to_world.point(from));
-  light.direction = to_rgb(normalized(to_world.vector(normalized(axis))));
+  light.position = to_rgb(to_world.point(to_vec3(params.get_point("from", {0, 0, 0}))));
+  light.direction = direction(params, to_world);
   light.value = emission(params, "I");
   light.cone_angle = params.get_float("coneangle", 30);
   light.cone_falloff = params.get_float("conedeltaangle", 5);
@@ -54,9 +84,10 @@ AreaLight convert_area_light(const std::string& type, const ParamList& params, D
 }
 
 LightDescription convert_light(const std::string& type, const ParamList& params, const Transform& to_world,
-                               Diagnostics& diagnostics) {
+                               const SceneFolder& folder, SceneDescription& scene, Diagnostics& diagnostics) {
   LightDescription light;
   light.where = params.where();
+  light.label = type;
   refuse_photometry(params);
   if (type == "point") {
     light.type = BDPT_LIGHT_POINT;
@@ -65,12 +96,16 @@ LightDescription convert_light(const std::string& type, const ParamList& params,
   } else if (type == "spot") {
     spot(params, to_world, light);
   } else if (type == "infinite") {
-    params.refuse("filename", "is not known yet: an infinite light has one radiance; give \"rgb L\"");
     params.refuse("portal", "is not known yet; remove it");
     light.type = BDPT_LIGHT_ENVIRONMENT;
     light.value = emission(params, "L");
+    if (params.has("filename")) picture(params, to_world, folder, scene, light);
+  } else if (type == "distant") {
+    light.type = kLightDirectional;
+    light.direction = direction(params, to_world);
+    light.value = emission(params, "L");
   } else {
-    params.fail("the light '" + type + "' is not known yet; use point, spot, infinite, or an area light");
+    params.fail("the light '" + type + "' is not known yet; use point, spot, distant, infinite, or an area light");
   }
   params.warn_unused(diagnostics);
   return light;

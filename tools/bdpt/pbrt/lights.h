@@ -6,8 +6,9 @@
 #include <string>
 
 #include "pbrt/params.h"
-#include "transform.h"
 #include "scene_description.h"
+#include "scene_folder.h"
+#include "transform.h"
 
 namespace bdpt_tool {
 
@@ -18,7 +19,8 @@ struct AreaLight {
 
 AreaLight convert_area_light(const std::string& type, const ParamList& params, Diagnostics& diagnostics);
 
+// The picture of an infinite light becomes a texture of the scene.
 LightDescription convert_light(const std::string& type, const ParamList& params, const Transform& to_world,
-                               Diagnostics& diagnostics);
+                               const SceneFolder& folder, SceneDescription& scene, Diagnostics& diagnostics);
 
 }  // namespace bdpt_tool

@@ -17,14 +17,16 @@ float constant_float(const ParamList& params, const std::string& name, float fal
   const std::string texture = params.get_texture(name);
   if (texture.empty()) return params.get_float(name, fallback);
   const TextureValue value = textures.resolve(texture, params);
-  if (value.texture >= 0) params.fail(*params.find(name), "cannot be an image yet; give one number");
+  if (value.is_image()) params.fail(*params.find(name), "cannot be an image yet; give one number");
   return value.constant[0];
 }
 
-std::array<float, 2> roughness(const ParamList& params, TextureTable& textures) {
-  const float both = constant_float(params, "roughness", 0, textures);
-  std::array<float, 2> alpha = {constant_float(params, "uroughness", both, textures),
-                                constant_float(params, "vroughness", both, textures)};
+// `prefix` is that of one of the two surfaces of a coated conductor.
+std::array<float, 2> roughness(const ParamList& params, TextureTable& textures, const std::string& prefix = "",
+                               float fallback = 0) {
+  const float both = constant_float(params, prefix + "roughness", fallback, textures);
+  std::array<float, 2> alpha = {constant_float(params, prefix + "uroughness", both, textures),
+                                constant_float(params, prefix + "vroughness", both, textures)};
   const bool remap = params.get_bool("remaproughness", true);
   for (float& a : alpha) {
     if (a < 0) params.fail("a roughness below zero");
@@ -35,17 +37,21 @@ std::array<float, 2> roughness(const ParamList& params, TextureTable& textures) 
   return {std::max(alpha[0], kLeastAlpha), std::max(alpha[1], kLeastAlpha)};
 }
 
-void diffuse(const ParamList& params, TextureTable& textures, MaterialDescription& material) {
-  material.type = BDPT_MATERIAL_DIFFUSE;
-  const std::string texture = params.get_texture("reflectance");
+void color(const ParamList& params, const std::string& name, float fallback, TextureTable& textures, Rgb& factor,
+           TextureUse& use) {
+  const std::string texture = params.get_texture(name);
   if (texture.empty()) {
-    material.reflectance = params.get_rgb("reflectance", {0.5f, 0.5f, 0.5f});
+    factor = params.get_rgb(name, {fallback, fallback, fallback});
   } else {
     const TextureValue value = textures.resolve(texture, params);
-    material.reflectance = value.constant;
-    material.texture = value.texture;
+    factor = value.constant;
+    use = value.use;
   }
-  for (float& x : material.reflectance) x = std::clamp(x, 0.0f, 1.0f);
+  for (float& x : factor) x = std::clamp(x, 0.0f, 1.0f);
+}
+
+void reflectance(const ParamList& params, float fallback, TextureTable& textures, MaterialDescription& material) {
+  color(params, "reflectance", fallback, textures, material.reflectance, material.reflectance_texture);
 }
 
 // A complex index, part by part: rgb, a constant spectrum, or a metal by name.
@@ -64,10 +70,9 @@ Rgb index_part(const ParamList& params, const std::string& name, const std::stri
   return params.get_rgb(name, {});
 }
 
-void conductor(const ParamList& params, TextureTable& textures, MaterialDescription& material) {
-  material.type = BDPT_MATERIAL_CONDUCTOR;
+void conductor(const ParamList& params, MaterialDescription& material, const std::string& prefix = "") {
   if (const Param* param = params.find("reflectance")) {
-    if (params.has("eta") || params.has("k")) params.fail(*param, "and eta or k exclude each other");
+    if (params.has(prefix + "eta") || params.has(prefix + "k")) params.fail(*param, "and eta or k exclude each other");
     if (param->type == "texture") params.fail(*param, "cannot be a texture yet; give it as rgb");
     // The index with eta = 1 that has this reflectance at normal incidence.
     const Rgb reflectance = params.get_rgb("reflectance", {});
@@ -77,38 +82,73 @@ void conductor(const ParamList& params, TextureTable& textures, MaterialDescript
       material.k[c] = 2 * std::sqrt(r) / std::sqrt(1 - r);
     }
   } else {
-    material.eta = index_part(params, "eta", "metal-Cu-eta");
-    material.k = index_part(params, "k", "metal-Cu-k");
+    material.eta = index_part(params, prefix + "eta", "metal-Cu-eta");
+    material.k = index_part(params, prefix + "k", "metal-Cu-k");
   }
   for (int c = 0; c < 3; ++c) {
     if (material.eta[c] < 0 || material.k[c] < 0) params.fail("eta and k must not be negative");
   }
-  material.roughness = roughness(params, textures);
 }
 
-float dielectric_index(const ParamList& params, Diagnostics& diagnostics) {
-  const Param* param = params.find("eta");
+float checked(const ParamList& params, float eta) {
+  if (!(eta >= 0.1f && eta <= 10)) params.fail("eta must be between 0.1 and 10");
+  return eta;
+}
+
+float dielectric_index(const ParamList& params, Diagnostics& diagnostics, const std::string& name = "eta") {
+  const Param* param = params.find(name);
   if (!param) return 1.5f;
-  if (param->type == "float") return params.get_float("eta", 1.5f);
+  if (param->type == "float") return checked(params, params.get_float(name, 1.5f));
   if (param->type == "spectrum" && !param->strings.empty()) {
     const auto index = named_glass(param->strings[0]);
     if (!index) {
       params.fail(*param, "names the glass '" + param->strings[0] + "', which is not known; give \"float eta\"");
     }
     diagnostics.warn(param->where, params.directive() + ": this program works in RGB, the glass does not disperse");
-    return *index;
+    return checked(params, *index);
   }
-  const Rgb eta = params.get_rgb("eta", {});
-  if (eta[0] != eta[1] || eta[1] != eta[2]) params.fail(*param, "must be one number; give \"float eta\"");
-  return eta[0];
+  const Rgb eta = params.get_rgb(name, {});
+  if (std::max({eta[0], eta[1], eta[2]}) > 1.001f * std::min({eta[0], eta[1], eta[2]})) {
+    diagnostics.warn(param->where, params.directive() + ": this program works in RGB, the glass does not disperse");
+  }
+  return checked(params, eta[1]);
 }
 
-void dielectric(const ParamList& params, TextureTable& textures, Diagnostics& diagnostics,
-                MaterialDescription& material) {
-  material.type = BDPT_MATERIAL_DIELECTRIC;
-  material.ior = dielectric_index(params, diagnostics);
-  if (!(material.ior >= 0.1f && material.ior <= 10)) params.fail("eta must be between 0.1 and 10");
-  material.roughness = roughness(params, textures);
+void coat(const ParamList& params, TextureTable& textures, Diagnostics& diagnostics, const std::string& prefix,
+          float roughness_fallback, CoatDescription& to) {
+  to.roughness = roughness(params, textures, prefix, roughness_fallback);
+  to.ior = dielectric_index(params, diagnostics, prefix + "eta");
+  to.thickness = constant_float(params, "thickness", 0.01f, textures);
+  to.g = constant_float(params, "g", 0, textures);
+  to.albedo = params.get_rgb("albedo", {0, 0, 0});
+  // Of pbrt's own random walk in the layers.
+  params.ignore("maxdepth");
+  params.ignore("nsamples");
+  if (!(to.thickness >= 0)) params.fail("thickness must not be negative");
+  if (!(to.g >= -1 && to.g <= 1)) params.fail("g must be between -1 and 1");
+  for (const float a : to.albedo) {
+    if (!(a >= 0 && a <= 1)) params.fail("albedo must be between 0 and 1");
+  }
+}
+
+void diffuse_transmission(const ParamList& params, TextureTable& textures, MaterialDescription& material) {
+  reflectance(params, 0.25f, textures, material);
+  color(params, "transmittance", 0.25f, textures, material.transmittance.factor, material.transmittance.texture);
+  const float scale = params.get_float("scale", 1);
+  if (!(scale >= 0 && scale <= 1)) params.fail("scale must be between 0 and 1");
+  for (std::size_t c = 0; c < 3; ++c) {
+    material.reflectance[c] *= scale;
+    material.transmittance.factor[c] *= scale;
+  }
+}
+
+void surface_maps(const ParamList& params, TextureTable& textures, MaterialDescription& material) {
+  const std::string normals = params.get_string("normalmap", "");
+  if (!normals.empty()) {
+    material.normal.texture.texture = textures.linear_image(normals, params.find("normalmap")->where);
+  }
+  const std::string heights = params.get_texture("displacement");
+  if (!heights.empty()) material.bump.texture = textures.resolve(heights, params).use;
 }
 
 }  // namespace
@@ -117,16 +157,39 @@ MaterialDescription convert_material(const std::string& type, const ParamList& p
                                      Diagnostics& diagnostics) {
   MaterialDescription material;
   material.where = params.where();
-  params.refuse("displacement", "is not known yet; remove it, or displace the mesh");
-  params.refuse("normalmap", "is not known yet; remove it");
+  surface_maps(params, textures, material);
   if (type == "diffuse") {
-    diffuse(params, textures, material);
+    material.type = BDPT_MATERIAL_DIFFUSE;
+    reflectance(params, 0.5f, textures, material);
   } else if (type == "conductor") {
-    conductor(params, textures, material);
+    material.type = BDPT_MATERIAL_CONDUCTOR;
+    conductor(params, material);
+    material.roughness = roughness(params, textures);
   } else if (type == "dielectric") {
-    dielectric(params, textures, diagnostics, material);
+    material.type = BDPT_MATERIAL_DIELECTRIC;
+    material.ior = dielectric_index(params, diagnostics);
+    material.roughness = roughness(params, textures);
+  } else if (type == "thindielectric") {
+    material.type = kMaterialThinDielectric;
+    material.ior = dielectric_index(params, diagnostics);
+  } else if (type == "coateddiffuse") {
+    material.type = kMaterialCoatedDiffuse;
+    reflectance(params, 0.5f, textures, material);
+    coat(params, textures, diagnostics, "", 0, material.coat);
+  } else if (type == "coatedconductor") {
+    material.type = kMaterialCoatedConductor;
+    conductor(params, material, "conductor.");
+    material.roughness = roughness(params, textures, "conductor.");
+    coat(params, textures, diagnostics, "interface.", 0, material.coat);
+  } else if (type == "diffusetransmission") {
+    material.type = kMaterialDiffuseTransmission;
+    diffuse_transmission(params, textures, material);
+  } else if (type == "interface" || type == "none" || type.empty()) {
+    material.type = kMaterialInterface;
   } else {
-    params.fail("the material type '" + type + "' is not known yet; use diffuse, conductor or dielectric");
+    params.fail("the material type '" + type +
+                "' is not known yet; use diffuse, conductor, dielectric, thindielectric, coateddiffuse, "
+                "coatedconductor, diffusetransmission, mix or interface");
   }
   params.warn_unused(diagnostics);
   return material;

@@ -1,4 +1,4 @@
-// Turns the materials of a pbrt scene into the library's.
+// The materials of a pbrt scene.
 //
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace bdpt_tool {
 
-// `type` is "diffuse", "conductor" or "dielectric"; any other is an Error.
+// `type` is any of pbrt's but "mix", which directives_world.cpp makes, and those that scatter below the surface.
 MaterialDescription convert_material(const std::string& type, const ParamList& params, TextureTable& textures,
                                      Diagnostics& diagnostics);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pbrt/spectra.h"
+
 namespace bdpt_tool {
 namespace {
 
@@ -159,18 +161,24 @@ Rgb ParamList::get_point(const std::string& name, const Rgb& fallback) const {
 Rgb ParamList::get_rgb(const std::string& name, const Rgb& fallback, bool light) const {
   const Param* param = find(name);
   if (!param) return fallback;
-  if (param->type == "spectrum" && !light && param->strings.empty()) {
-    // Pairs of wavelength and value: exact in RGB when all values are the same.
-    const auto& n = param->numbers;
-    bool constant = !n.empty() && n.size() % 2 == 0;
-    for (std::size_t i = 3; i < n.size(); i += 2) constant = constant && n[i] == n[1];
-    if (!constant)
-      fail(*param, "is a spectrum that varies; this program works in RGB, give it as \"rgb " + name + "\"");
-    const float value = static_cast<float>(n[1]);
-    return {value, value, value};
+  if (param->type == "blackbody") {
+    if (!light) fail(*param, "is the colour of a light; give it as \"rgb " + name + "\"");
+    const double kelvin = find_typed(name, {"blackbody"}, 1)->numbers[0];
+    if (!(kelvin >= 500 && kelvin <= 1e6)) fail(*param, "must be from 500 to 1000000 kelvin");
+    return black_body(kelvin);
   }
-  if (param->type == "spectrum" || param->type == "blackbody") {
-    fail(*param, "is a spectrum; this program works in RGB, give it as \"rgb " + name + "\"");
+  if (param->type == "spectrum" && !param->strings.empty()) {
+    const auto illuminant = light ? named_illuminant(param->strings[0]) : std::nullopt;
+    if (!illuminant) {
+      fail(*param, "names the spectrum '" + param->strings[0] + "', which is not known; give it as \"rgb " + name +
+                       "\", or as pairs of wavelength and value");
+    }
+    return *illuminant;
+  }
+  if (param->type == "spectrum") {
+    const auto& n = param->numbers;
+    if (!are_samples(n)) fail(*param, "must be pairs of wavelength and value, by ascending wavelengths");
+    return light ? emitted(n) : reflected(n);
   }
   param = find_typed(name, {"rgb"}, 3);
   const auto& n = param->numbers;

@@ -45,7 +45,7 @@ class ParamList {
   std::string get_string(const std::string& name, const std::string& fallback) const;
   std::string get_texture(const std::string& name) const;  // the texture's name, empty if it is none
   Rgb get_point(const std::string& name, const Rgb& fallback) const;
-  // For "rgb", and for "spectrum" with one value everywhere. Lights must be given in rgb: `light` refuses spectra.
+  // "rgb", or what spectra.h makes of "spectrum" and, for a light, of "blackbody".
   Rgb get_rgb(const std::string& name, const Rgb& fallback, bool light = false) const;
   std::vector<float> get_floats(const std::string& name) const;
   // Of type point2, point3, vector3 or normal (or the names without digits); all finite; a whole number of tuples.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pbrt/scene_reader.h"
 
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -11,14 +10,12 @@
 namespace bdpt_tool {
 namespace {
 
-constexpr std::size_t kMaxIncludeDepth = 32;
+constexpr std::size_t kMaxIncludeDepth = 32, kMaxIncludes = 10000;
 
 class Reader {
  public:
-  Reader(const std::string& path, Diagnostics& diagnostics)
-      : path_(path),
-        folder_(std::filesystem::path(path).parent_path().string()),
-        directives_(scene_, diagnostics, folder_) {
+  Reader(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics)
+      : path_(path), folder_(path, options.folder), directives_(scene_, diagnostics, folder_) {
     scene_.path = path;
     // A file without a Camera has the format's default one.
     scene_.camera.transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0};
@@ -36,6 +33,9 @@ class Reader {
     if (++depth_ > kMaxIncludeDepth) {
       throw Error(from, "files include each other more than " + std::to_string(kMaxIncludeDepth) + " deep; does '" +
                             path + "' include itself?");
+    }
+    if (++files_ > kMaxIncludes) {
+      throw Error(from, "more than " + std::to_string(kMaxIncludes) + " files are included; use ObjectInstance");
     }
     if (path.ends_with(".gz")) throw Error(from, "'" + path + "' is compressed; unpack it with gunzip");
     const FileData file(path, from);
@@ -59,36 +59,37 @@ class Reader {
 
   // Paths are relative to the folder of the scene's first file.
   std::string expect_path(Lexer& lexer, const Location& where) const {
-    return (std::filesystem::path(folder_) / expect_string(lexer, where, "a file name")).string();
+    return folder_.path_of(expect_string(lexer, where, "a file name"), where);
   }
 
-  // Several infinite lights add up; the library takes one.
+  // Several infinite lights of one radiance add up.
   void merge_environments() {
     std::vector<LightDescription> lights;
     LightDescription* environment = nullptr;
     lights.reserve(scene_.lights.size());
     for (LightDescription& light : scene_.lights) {
-      if (light.type == BDPT_LIGHT_ENVIRONMENT && environment) {
+      if (light.type == BDPT_LIGHT_ENVIRONMENT && light.texture < 0 && environment) {
         for (int c = 0; c < 3; ++c) environment->value[c] += light.value[c];
         continue;
       }
       lights.push_back(std::move(light));
-      if (lights.back().type == BDPT_LIGHT_ENVIRONMENT) environment = &lights.back();
+      if (lights.back().type == BDPT_LIGHT_ENVIRONMENT && lights.back().texture < 0) environment = &lights.back();
     }
     scene_.lights = std::move(lights);
   }
 
-  std::string path_, folder_;
+  std::string path_;
+  SceneFolder folder_;
   SceneDescription scene_;
   Directives directives_;
-  std::size_t depth_ = 0;
+  std::size_t depth_ = 0, files_ = 0;
   int last_line_ = 0;
 };
 
 }  // namespace
 
-SceneDescription read_pbrt_scene(const std::string& path, Diagnostics& diagnostics) {
-  return Reader(path, diagnostics).read();
+SceneDescription read_pbrt_scene(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics) {
+  return Reader(path, options, diagnostics).read();
 }
 
 }  // namespace bdpt_tool

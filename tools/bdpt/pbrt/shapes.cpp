@@ -10,14 +10,6 @@
 namespace bdpt_tool {
 namespace {
 
-void refuse_alpha(const ParamList& params) {
-  const Param* alpha = params.find("alpha");
-  if (!alpha) return;
-  if (alpha->type == "texture" || params.get_float("alpha", 1) != 1) {
-    params.fail(*alpha, "other than 1 is not known yet; remove it, or cut the mesh");
-  }
-}
-
 TriangleMesh inline_mesh(const ParamList& params, Diagnostics& diagnostics) {
   TriangleMesh mesh;
   mesh.positions = params.get_tuples("P", 3);
@@ -76,29 +68,29 @@ int ShapeTable::add_inline_mesh(const ParamList& params, bool turned) {
       where, inline_mesh(params, diagnostics_), turned);
 }
 
-int ShapeTable::add_ply(const ParamList& params, bool turned, const std::string& folder) {
+int ShapeTable::add_ply(const ParamList& params, bool turned) {
   const std::string file = params.get_string("filename", "");
   if (file.empty()) params.fail("\"string filename\" is missing");
   params.refuse("displacement", "is not known yet; displace the mesh");
   params.ignore("displacement.edgelength");
   params.ignore("edgelength");
   if (file.ends_with(".gz")) params.fail(*params.find("filename"), "is compressed; unpack it with gunzip");
-  const std::string path = (std::filesystem::path(folder) / file).lexically_normal().string();
+  const std::string path =
+      std::filesystem::path(folder_.path_of(file, params.find("filename")->where)).lexically_normal().string();
   const std::pair<std::string, bool> key(path, turned);
   const auto found = files_.find(key);
   if (found != files_.end()) return found->second;
   return files_[key] = push(file, params.where(), read_ply(path, params.find("filename")->where), turned);
 }
 
-int ShapeTable::add(const std::string& type, const ParamList& params, bool turned, const std::string& folder) {
-  refuse_alpha(params);
+int ShapeTable::add(const std::string& type, const ParamList& params, bool turned) {
   int shape = -1;
   if (type == "sphere") {
     shape = add_sphere(params);
   } else if (type == "trianglemesh") {
     shape = add_inline_mesh(params, turned);
   } else if (type == "plymesh") {
-    shape = add_ply(params, turned, folder);
+    shape = add_ply(params, turned);
   } else {
     params.fail("the shape '" + type + "' is not known yet; use trianglemesh, plymesh or sphere");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gltf/view.h"
+#include "default_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "transform.h"
 
-namespace bdpt_tool::gltf {
+namespace bdpt_tool {
 namespace {
 
 constexpr double kFieldOfView = 45;
@@ -30,8 +30,15 @@ struct Bounds {
   bool empty() const { return low[0] > high[0]; }
 };
 
-Bounds bounds_of(const TriangleMesh& mesh) {
+Bounds bounds_of(const ShapeDescription& shape) {
   Bounds bounds;
+  if (const auto* sphere = std::get_if<SphereShape>(&shape.geometry)) {
+    const auto r = static_cast<double>(sphere->radius);
+    bounds.add({-r, -r, -r});
+    bounds.add({r, r, r});
+    return bounds;
+  }
+  const auto& mesh = std::get<TriangleMesh>(shape.geometry);
   for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3) {
     bounds.add({mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]});
   }
@@ -40,8 +47,7 @@ Bounds bounds_of(const TriangleMesh& mesh) {
 
 Bounds bounds_of(const SceneDescription& scene) {
   std::vector<Bounds> shapes;
-  for (const ShapeDescription& shape : scene.shapes)
-    shapes.push_back(bounds_of(std::get<TriangleMesh>(shape.geometry)));
+  for (const ShapeDescription& shape : scene.shapes) shapes.push_back(bounds_of(shape));
   Bounds bounds;
   for (const InstanceDescription& instance : scene.instances) {
     Transform to_world;
@@ -82,4 +88,33 @@ CameraDescription framing_camera(const SceneDescription& scene) {
   return camera;
 }
 
-}  // namespace bdpt_tool::gltf
+bool is_dark(const SceneDescription& scene) {
+  bool wants_light = false;
+  for (const InstanceDescription& instance : scene.instances) {
+    const MaterialDescription& material = scene.materials[static_cast<std::size_t>(instance.material)];
+    if (material.emits() && !material.unlit) return false;
+    wants_light = wants_light || !material.unlit;
+  }
+  return wants_light && scene.lights.empty();
+}
+
+LightDescription white_environment() {
+  LightDescription light;
+  light.type = BDPT_LIGHT_ENVIRONMENT;
+  light.value = {1, 1, 1};
+  return light;
+}
+
+void complete(SceneDescription& scene, bool has_camera, Notes& notes) {
+  if (!has_camera) {
+    scene.camera = framing_camera(scene);
+    notes.add("there is no camera; one that sees all of the scene is used");
+  }
+  if (is_dark(scene)) {
+    scene.lights.push_back(white_environment());
+    notes.add("there is no light; an environment of radiance 1 is used");
+  }
+  scene.camera.where = {scene.path, 0};
+}
+
+}  // namespace bdpt_tool

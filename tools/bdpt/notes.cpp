@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gltf/notes.h"
+#include "notes.h"
 
 #include <algorithm>
 
-namespace bdpt_tool::gltf {
+namespace bdpt_tool {
 
 void Notes::add(const std::string& text, const std::string& place) {
   auto note = std::find_if(notes_.begin(), notes_.end(), [&](const Note& n) { return n.text == text; });
@@ -21,4 +21,4 @@ void Notes::tell() {
   notes_.clear();
 }
 
-}  // namespace bdpt_tool::gltf
+}  // namespace bdpt_tool

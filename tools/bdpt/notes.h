@@ -9,13 +9,13 @@
 
 #include "error.h"
 
-namespace bdpt_tool::gltf {
+namespace bdpt_tool {
 
 class Notes {
  public:
   Notes(std::string path, Diagnostics& diagnostics) : where_{std::move(path), 0}, diagnostics_(diagnostics) {}
 
-  // `text` says what, `place` which thing of the file; call it once for each thing.
+  // `text` says what, `place` which thing of the file, in the reader's words; call it once for each thing.
   void add(const std::string& text, const std::string& place = {});
   // Warns of each text, with its first place and how many more there are.
   void tell();
@@ -31,4 +31,4 @@ class Notes {
   std::vector<Note> notes_;
 };
 
-}  // namespace bdpt_tool::gltf
+}  // namespace bdpt_tool

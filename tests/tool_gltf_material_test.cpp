@@ -1,0 +1,171 @@
+// Materials of glTF: every value of the core and the extensions, and what the library makes of them.
+//
+// SPDX-License-Identifier: Apache-2.0
+#include "gltf_fixture.h"
+
+namespace bdpt_tool {
+namespace {
+
+TEST_F(ToolGltf, WhatIsNoMetalIsDiffuseOfItsBaseColour) {
+  const SceneDescription scene = read_material(
+      "\"name\":\"Wall\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.25,0.5,1,1],\"metallicFactor\":0}");
+  const MaterialDescription material = lower(scene);
+  EXPECT_EQ(scene.materials.at(0).type, kMaterialPrincipled);
+  EXPECT_EQ(material.type, BDPT_MATERIAL_DIFFUSE);
+  EXPECT_EQ(material.label, "Wall");
+  EXPECT_EQ(material.reflectance, (Rgb{.25f, .5f, 1}));
+  EXPECT_TRUE(material.one_sided);
+  EXPECT_EQ(notes_with("without the gloss on top: Wall"), 1u) << notes();
+}
+
+TEST_F(ToolGltf, DoubleSidedMaterialsHaveTwoSidesAndEmitFromBoth) {
+  const std::string text = "\"emissiveFactor\":[1,0.5,0],\"pbrMetallicRoughness\":{\"metallicFactor\":0}";
+  const MaterialDescription one = read_material(text).materials.at(0);
+  EXPECT_TRUE(one.one_sided);
+  EXPECT_FALSE(one.emission_two_sided);
+  const MaterialDescription two = read_material(text + ",\"doubleSided\":true").materials.at(0);
+  EXPECT_FALSE(two.one_sided);
+  EXPECT_TRUE(two.emission_two_sided);
+  EXPECT_EQ(two.emission, (Rgb{1, .5f, 0}));
+}
+
+TEST_F(ToolGltf, EmissiveStrengthMultipliesEmission) {
+  const SceneDescription scene = read_material(
+      "\"emissiveFactor\":[1,0.5,0],\"extensions\":{\"KHR_materials_emissive_strength\":{\"emissiveStrength\":100}}");
+  EXPECT_EQ(scene.materials.at(0).emission, (Rgb{100, 50, 0}));
+}
+
+TEST_F(ToolGltf, AMetalIsAConductorThatReflectsItsBaseColour) {
+  const SceneDescription scene =
+      read_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.9,0.5,0,1],\"roughnessFactor\":0.5}");
+  const MaterialDescription material = lower(scene);
+  ASSERT_EQ(material.type, BDPT_MATERIAL_CONDUCTOR);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double eta = material.eta[c], k = material.k[c];
+    const double reflectance = ((eta - 1) * (eta - 1) + k * k) / ((eta + 1) * (eta + 1) + k * k);
+    EXPECT_NEAR(reflectance, (Rgb{.9f, .5f, 0})[c], 1e-5);
+  }
+  EXPECT_EQ(material.roughness, (std::array<float, 2>{.25f, .25f}));
+  EXPECT_EQ(diagnostics_.count(), 2u) << notes();  // of the camera and the light
+}
+
+TEST_F(ToolGltf, WithoutAMaterialAPrimitiveHasTheDefaultOneWhichIsARoughMetal) {
+  const SceneDescription scene = read_primitive(triangle());
+  EXPECT_EQ(lower(scene).type, BDPT_MATERIAL_CONDUCTOR);
+  EXPECT_EQ(lower(scene).roughness, (std::array<float, 2>{1, 1}));
+}
+
+TEST_F(ToolGltf, HalfMetalsAreDiffuseAndToldOf) {
+  const SceneDescription scene = read_material("\"pbrMetallicRoughness\":{\"metallicFactor\":0.5}");
+  EXPECT_EQ(lower(scene).type, BDPT_MATERIAL_DIFFUSE);
+  EXPECT_EQ(notes_with("half metals, are taken as diffuse"), 1u);
+}
+
+TEST_F(ToolGltf, TransmissionMakesGlassOfTheIndexGiven) {
+  const std::string transmission = "\"KHR_materials_transmission\":{\"transmissionFactor\":1}";
+  const MaterialDescription plain = lower(read_material("\"extensions\":{" + transmission + "}"));
+  EXPECT_EQ(plain.type, BDPT_MATERIAL_DIELECTRIC);
+  EXPECT_FLOAT_EQ(plain.ior, 1.5f);
+  EXPECT_FALSE(plain.one_sided);
+  EXPECT_EQ(notes_with("thin-walled"), 1u);
+  const MaterialDescription diamond =
+      lower(read_material("\"pbrMetallicRoughness\":{\"roughnessFactor\":0},\"extensions\":{" + transmission +
+                          ",\"KHR_materials_ior\":{\"ior\":2.4},\"KHR_materials_volume\":{\"thicknessFactor\":1}}"));
+  EXPECT_FLOAT_EQ(diamond.ior, 2.4f);
+  EXPECT_EQ(diamond.roughness, (std::array<float, 2>{0, 0}));
+}
+
+TEST_F(ToolGltf, MaterialsAreConvertedOnceAndOnlyWhenUsed) {
+  const std::string attributes = triangle();
+  const SceneDescription scene = read_nodes(
+      "{\"mesh\":0}", "\"meshes\":[{\"primitives\":[{" + attributes + ",\"material\":1},{" + attributes +
+                          ",\"material\":1}]}],\"materials\":[{\"name\":\"unused\",\"normalTexture\":{\"index\":0}},"
+                          "{\"name\":\"used\"}],\"textures\":[{}]");
+  ASSERT_EQ(scene.materials.size(), 1u);
+  EXPECT_EQ(scene.materials[0].label, "used");
+}
+
+TEST_F(ToolGltfTexture, EveryValueOfEveryExtensionIsRead) {
+  const auto use = [](const char* name) { return ",\"" + std::string(name) + "\":{\"index\":0,\"texCoord\":1}"; };
+  const SceneDescription scene = read_textured(
+      "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.25,\"normalTexture\":{\"index\":0,\"scale\":0.75},"
+      "\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.1,0.2,0.3,0.4],\"metallicFactor\":0.5,\"roughnessFactor\":0.6,"
+      "\"metallicRoughnessTexture\":{\"index\":0}},\"extensions\":{"
+      "\"KHR_materials_ior\":{\"ior\":1.25},\"KHR_materials_dispersion\":{\"dispersion\":0.125},"
+      "\"KHR_materials_transmission\":{\"transmissionFactor\":0.3" +
+          use("transmissionTexture") +
+          "},"
+          "\"KHR_materials_volume\":{\"thicknessFactor\":2,\"attenuationDistance\":3,\"attenuationColor\":[0.5,0.6,0."
+          "7]" +
+          use("thicknessTexture") +
+          "},"
+          "\"KHR_materials_clearcoat\":{\"clearcoatFactor\":0.8,\"clearcoatRoughnessFactor\":0.9,"
+          "\"clearcoatNormalTexture\":{\"index\":0,\"scale\":2}" +
+          use("clearcoatTexture") + use("clearcoatRoughnessTexture") +
+          "},"
+          "\"KHR_materials_sheen\":{\"sheenColorFactor\":[0.2,0.4,0.6],\"sheenRoughnessFactor\":0.35" +
+          use("sheenColorTexture") + use("sheenRoughnessTexture") +
+          "},"
+          "\"KHR_materials_specular\":{\"specularFactor\":0.45,\"specularColorFactor\":[1,2,3]" +
+          use("specularTexture") + use("specularColorTexture") +
+          "},"
+          "\"KHR_materials_iridescence\":{\"iridescenceFactor\":0.55,\"iridescenceIor\":1.75,"
+          "\"iridescenceThicknessMinimum\":150,\"iridescenceThicknessMaximum\":450" +
+          use("iridescenceTexture") + use("iridescenceThicknessTexture") +
+          "},"
+          "\"KHR_materials_anisotropy\":{\"anisotropyStrength\":0.65,\"anisotropyRotation\":1.5" +
+          use("anisotropyTexture") + "}}",
+      image_uri(png(kTwo)));
+  const MaterialDescription& m = scene.materials.at(0);
+  const PrincipledDescription& p = m.principled;
+  EXPECT_EQ(m.alpha_mode, AlphaMode::kMask);
+  EXPECT_EQ(m.alpha_cutoff, 0.25f);
+  EXPECT_EQ(m.alpha.factor, 0.4f);
+  EXPECT_EQ(m.normal.factor, 0.75f);
+  EXPECT_EQ(m.ior, 1.25f);
+  EXPECT_EQ(p.dispersion, 0.125f);
+  EXPECT_EQ(p.attenuation_distance, 3);
+  EXPECT_EQ(p.attenuation_color, (Rgb{0.5f, 0.6f, 0.7f}));
+  EXPECT_EQ(p.clearcoat_normal.factor, 2);
+  EXPECT_EQ(p.iridescence_ior, 1.75f);
+  EXPECT_EQ(p.iridescence_thickness_min, 150);
+  EXPECT_EQ(p.anisotropy_rotation, 1.5f);
+  struct Expected {
+    const FloatValue& value;
+    float factor;
+    int channel;
+    bool second_set;
+  };
+  const Expected numbers[] = {
+      {p.metallic, 0.5f, 2, false},        {p.roughness, 0.6f, 1, false},
+      {p.transmission, 0.3f, 0, true},     {p.thickness, 2, 1, true},
+      {p.clearcoat, 0.8f, 0, true},        {p.clearcoat_roughness, 0.9f, 1, true},
+      {p.sheen_roughness, 0.35f, 3, true}, {p.specular, 0.45f, 3, true},
+      {p.iridescence, 0.55f, 0, true},     {p.iridescence_thickness, 450, 1, true},
+      {p.anisotropy, 0.65f, 2, true},
+  };
+  for (const Expected& e : numbers) {
+    const auto i = &e - numbers;
+    EXPECT_EQ(e.value.factor, e.factor) << i;
+    EXPECT_EQ(e.value.channel, e.channel) << i;
+    EXPECT_EQ(e.value.texture.uv_set, int{e.second_set}) << i;
+    ASSERT_GE(e.value.texture.texture, 0) << i;
+  }
+  EXPECT_EQ(p.specular_color.factor, (Rgb{1, 2, 3}));
+  EXPECT_EQ(p.sheen_color.factor, (Rgb{0.2f, 0.4f, 0.6f}));
+  // One image, once as colours and once as numbers.
+  ASSERT_EQ(scene.textures.size(), 2u);
+  EXPECT_EQ(scene.textures[static_cast<std::size_t>(p.sheen_color.texture.texture)].exponent, 0);
+  EXPECT_EQ(scene.textures[static_cast<std::size_t>(p.roughness.texture.texture)].exponent, 1);
+}
+
+TEST_F(ToolGltf, UnlitMaterialsEmitTheirColourAndAreNotLit) {
+  const SceneDescription scene = read_material(
+      "\"extensions\":{\"KHR_materials_unlit\":{}},\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.25,0.5,1,1]}");
+  EXPECT_EQ(lower(scene).emission, (Rgb{0.25f, 0.5f, 1}));
+  EXPECT_EQ(lower(scene).reflectance, (Rgb{0, 0, 0}));
+  EXPECT_TRUE(scene.lights.empty());  // there is nothing to be lit
+}
+
+}  // namespace
+}  // namespace bdpt_tool
