@@ -1,6 +1,7 @@
 // No material makes energy, and those that should keep all of it do.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <numeric>
 
 #include "material_testing.h"
@@ -43,24 +44,87 @@ TEST(MaterialEnergy, DiffuseReflectsItsAlbedo) {
   }
 }
 
-// In a white furnace; what a lossless metal lacks has been scattered more than once between the microfacets.
-TEST(MaterialEnergy, NoReflectingMaterialReflectsMoreThanArrives) {
+// What a lossless metal lacks has been scattered more than once between the microfacets.
+TEST(MaterialEnergy, NoSingleScatteringReflectsMoreThanArrives) {
   for (float alpha_u : {0.05f, 0.3f, 1.0f})
     for (float alpha_v : {0.1f, 0.6f})
       for (double theta : kAngles) {
         const Vec3 previous = direction(theta * kDegree, 1);
-        const double lossless = albedo(lossless_conductor(alpha_u, alpha_v), Rgb(), previous, TransportMode::Radiance);
+        const Material white = single_scattering(lossless_conductor(alpha_u, alpha_v));
+        const double lossless = albedo(white, Rgb(), previous, TransportMode::Radiance);
         EXPECT_LE(lossless, 1 + 3e-5);
         EXPECT_GE(lossless, 0.4);
-        EXPECT_LT(albedo(conductor(alpha_u, alpha_v), Rgb(), previous, TransportMode::Importance), lossless);
+        EXPECT_LT(albedo(single_scattering(conductor(alpha_u, alpha_v)), Rgb(), previous, TransportMode::Importance),
+                  lossless);
+      }
+}
+
+// In a white furnace a material that absorbs nothing cannot be told from its surroundings. How near to it each model
+// comes: tables are interpolated (1 %, of glass 2 %); of anisotropic surfaces the loss is known in part; below a coat
+// a metal's light is thrown back at other angles than the model has it; and of glass and coats of the principled
+// material what is scattered more than once is lost.
+TEST(MaterialEnergy, AWhiteFurnaceStaysWhite) {
+  struct Furnace {
+    std::string name;
+    std::function<Material(float alpha)> material;
+    double least, most;
+  };
+  const auto white_coated_metal = [](float coat_alpha, float alpha) {
+    Material m = coated_conductor(1.5f, coat_alpha, alpha, alpha);
+    m.eta = Rgb(0), m.k = Rgb(3);
+    return m;
+  };
+  const Furnace furnaces[] = {
+      {"rough diffuse", [](float a) { return rough_diffuse(a); }, 0.998, 1.002},
+      {"diffuse transmission", [](float) { return reflecting(diffuse_transmission(Rgb(0.4f)), 0.6f); }, 0.999, 1.001},
+      {"metal", [](float a) { return lossless_conductor(a, a); }, 0.99, 1.01},
+      {"anisotropic metal", [](float a) { return lossless_conductor(a, 0.3f * a); }, 0.92, 1.01},
+      {"very anisotropic metal", [](float a) { return lossless_conductor(0.1f * a, a); }, 0.85, 1.02},
+      {"glass", [](float a) { return dielectric(1.5f, a, a); }, 0.98, 1.02},
+      {"diamond", [](float a) { return dielectric(2.4f, a, a); }, 0.98, 1.02},
+      {"plastic", [](float a) { return coated_diffuse(1.5f, a, a); }, 0.99, 1.01},
+      {"plastic, rough below", [](float a) { return coated_diffuse(1.5f, a, a, 1); }, 0.97, 1.015},
+      {"metal below smooth coat", [&](float a) { return white_coated_metal(0, a); }, 0.9, 1.005},
+      {"metal below rough coat", [&](float a) { return white_coated_metal(a, 0.2f); }, 0.8, 1.005},
+      {"principled", [](float a) { return principled(a); }, 0.99, 1.01},
+      {"principled metal", [](float a) { return principled(a, [](Material& m) { m.metalness = 1; }); }, 0.99, 1.01},
+      {"principled below smooth coat", [](float a) { return principled(a, [](Material& m) { m.coat = 1; }); }, 0.9,
+       1.01},
+      {"principled below rough coat and sheen",
+       [](float a) {
+         return principled(0.3f,
+                           [&](Material& m) { m.coat = 0.7f, m.coat_alpha = a, m.sheen = Rgb(1), m.sheen_alpha = a; });
+       },
+       0.8, 1.01},
+      {"principled glass", [](float a) { return principled(a, [](Material& m) { m.transmission = 1; }); }, 0.98, 1.02},
+      {"principled thin wall",
+       [](float a) { return principled(a, [](Material& m) { m.transmission = 1, m.thin_walled = true; }); }, 0.9, 1.01},
+      {"principled leaf",
+       [](float a) {
+         return principled(a, [](Material& m) { m.diffuse_transmission = 0.5f, m.transmittance = Rgb(1); });
+       },
+       0.99, 1.01},
+      {"mix", [](float a) { return mix(lossless_conductor(a, a), reflecting(diffuse(), 1), 0.5f); }, 0.99, 1.01},
+  };
+  for (const Furnace& f : furnaces)
+    for (float alpha : {0.0f, 0.05f, 0.25f, 0.5f, 1.0f})
+      for (double theta : {0.0, 40.0, 70.0, 86.0, 125.0}) {
+        SCOPED_TRACE(f.name + ' ' + std::to_string(alpha) + ", at " + std::to_string(theta) + " degrees");
+        const Material m = f.material(alpha);
+        const float own = f.name == "diffuse transmission" ? 0.6f : 1;
+        const Estimate e = mean_weight(m, Rgb(own), direction(theta * kDegree, 1), TransportMode::Importance, 10000);
+        EXPECT_GT(e.mean() + kMaxDeviation * e.standard_error(), f.least);
+        EXPECT_LT(e.mean() - kMaxDeviation * e.standard_error(), f.most);
       }
 }
 
 TEST(MaterialEnergy, TheMeanWeightIsTheIntegralOfTheScatteringFunction) {
+  int number = 0;
   for (const Named& n : nonspecular_materials())
     for (double theta : kAngles)
       for (TransportMode mode : kModes) {
-        if (n.material.type != MaterialType::Dielectric && mode == TransportMode::Importance) continue;
+        if (!n.material.transmits() && mode == TransportMode::Importance) continue;
+        if (++number % 5) continue;  // each material at some of the angles
         SCOPED_TRACE(n.name + ", at " + std::to_string(theta) + " degrees");
         const Vec3 previous = direction(theta * kDegree, 1);
         const Estimate e = mean_weight(n.material, Rgb(0.5f), previous, mode, 40000);
@@ -68,15 +132,20 @@ TEST(MaterialEnergy, TheMeanWeightIsTheIntegralOfTheScatteringFunction) {
       }
 }
 
-TEST(MaterialEnergy, NoSampleGainsImportance) {
-  for (const auto& materials : {nonspecular_materials(), specular_materials()})
+// Single lobes gain nothing; where several meet a sample may weigh more than 1, by what the others have there.
+TEST(MaterialEnergy, NoSampleWeighsMuch) {
+  for (const auto& materials : {nonspecular_materials(), partly_specular_materials(), specular_materials()})
     for (const Named& n : materials) {
       SCOPED_TRACE(n.name);
+      const MaterialType type = n.material.type;
+      const bool is_microfacet = type == MaterialType::Conductor || type == MaterialType::Dielectric;
+      const bool is_single = type == MaterialType::Diffuse || type == MaterialType::Mirror ||
+                             (is_microfacet && (n.material.single_scattering || n.material.is_specular()));
       Uniform uniform(12);
-      for (int i = 0; i < 20000; ++i) {
+      for (int i = 0; i < 20000 && !HasFailure(); ++i) {
         const Vec3 previous = random_direction(uniform);
         const BsdfSample s = material_testing::sample(n.material, Rgb(1), previous, TransportMode::Importance, uniform);
-        ASSERT_LE(norm(s.weight), 1 + 1e-5f);
+        ASSERT_LE(norm(s.weight), is_single ? 1 + 1e-5f : 20.0f);
       }
     }
 }
@@ -119,9 +188,12 @@ TEST(MaterialEnergy, RefractedRadianceScalesWithTheSquaredIndex) {
 TEST(MaterialEnergy, ARoughMaterialTendsToTheSmoothOne) {
   constexpr int kCount = 50000;
   const float alpha = 0.002f;
-  for (const auto& [rough, smooth] : {std::pair(conductor(alpha, alpha), conductor(0, 0)),
-                                      std::pair(dielectric(1.5f, alpha, alpha), dielectric(1.5f, 0, 0)),
-                                      std::pair(dielectric(0.7f, alpha, 2 * alpha), dielectric(0.7f, 0, 0))})
+  for (const auto& [rough, smooth] :
+       {std::pair(conductor(alpha, alpha), conductor(0, 0)),
+        std::pair(coated_diffuse(1.5f, alpha, alpha), coated_diffuse(1.5f, 0, 0)),
+        std::pair(coated_conductor(1.5f, alpha, 0.5f, 0.5f), coated_conductor(1.5f, 0, 0.5f, 0.5f)),
+        std::pair(principled(alpha), principled(0)), std::pair(dielectric(1.5f, alpha, alpha), dielectric(1.5f, 0, 0)),
+        std::pair(dielectric(0.7f, alpha, 2 * alpha), dielectric(0.7f, 0, 0))})
     for (double theta : {0.0, 35.0, 60.0, 160.0, 115.0})
       for (TransportMode mode : kModes) {
         SCOPED_TRACE(theta);

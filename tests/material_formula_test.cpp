@@ -92,7 +92,7 @@ TEST(MaterialFormula, ConductorFresnelEquations) {
 
 TEST(MaterialFormula, RoughConductor) {
   for (const auto& [u, v] : {std::pair(0.05f, 0.05f), std::pair(0.3f, 0.6f), std::pair(1.0f, 0.1f)}) {
-    const Material m = conductor(u, v);
+    const Material m = single_scattering(conductor(u, v));
     const Reference reference{u, v};
     for_each_pair(m, [&](const Vec3& a, const Vec3& b) {
       const BsdfValue value = evaluate(m, Rgb(), a, b, TransportMode::Radiance);
@@ -115,7 +115,7 @@ TEST(MaterialFormula, RoughConductor) {
 TEST(MaterialFormula, RoughDielectric) {
   for (float ior : {1.5f, 0.7f})
     for (const auto& [u, v] : {std::pair(0.1f, 0.1f), std::pair(0.3f, 0.6f), std::pair(1.0f, 0.2f)}) {
-      const Material m = dielectric(ior, u, v);
+      const Material m = single_scattering(dielectric(ior, u, v));
       const Reference reference{u, v};
       const double index = ior;
       for_each_pair(m, [&](const Vec3& eye, const Vec3& light) {

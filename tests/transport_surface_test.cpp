@@ -1,4 +1,5 @@
 // What varies over a surface gives one picture by all techniques: textures, normals, colours, and what is not there.
+#include "material/host.h"
 #include "rendering.h"
 
 namespace bdpt {
@@ -40,7 +41,41 @@ MaterialDesc with_opacity(Opacity::Mode mode, float value, int texture = -1) {
   return m;
 }
 
+template <class Change>
+Material of_kind(MaterialType type, float alpha, const Change& change) {
+  Material m = scenes::diffuse(Rgb(0.8f, 0.6f, 0.4f));
+  m.type = type;
+  m.alpha_u = m.alpha_v = alpha;
+  m.eta = Rgb(0.14f, 0.38f, 1.44f);
+  m.k = Rgb(3.98f, 2.40f, 1.60f);
+  change(m);
+  return m;
+}
+
+MaterialDesc mix(int first, int second, float weight) {
+  MaterialDesc m = scenes::diffuse(1);
+  m.type = MaterialType::Mix;
+  m.mixed[0] = first, m.mixed[1] = second;
+  m.mix = weight;
+  return m;
+}
+
+// Half of what arrives goes on evenly.
+class Even : public HostMaterial {
+ public:
+  bool evaluate(const Material&, const Rgb& reflectance, const Vec3&, const Vec3&, BsdfValue& v) const override {
+    v = {reflectance * kInvPi, 0.5f * kInvPi, 0.5f * kInvPi};
+    return true;
+  }
+  bool sample(const Material&, const Rgb&, const Vec3& p, const float u[3], Vec3& next) const override {
+    const float r = safe_sqrt(1 - u[0] * u[0]), phi = kTwoPi * u[1];
+    next = Vec3(r * std::cos(phi), r * std::sin(phi), std::copysign(u[0], p.z));
+    return true;
+  }
+};
+
 std::vector<Item> items() {
+  using enum MaterialType;
   using scenes::Builder;
   return {
       {"reflectance",
@@ -71,6 +106,65 @@ std::vector<Item> items() {
          m.textures.back().scale = 0.1f;
          return m;
        }},
+      {"rough diffuse",
+       [](Builder&) { return of_kind(RoughDiffuse, 0, [](Material& m) { m.diffuse_roughness = 0.8f; }); }},
+      {"diffuse transmission",
+       [](Builder& b) {
+         const Material m = of_kind(DiffuseTransmission, 0, [](Material& d) {
+           d.reflectance = Rgb(0.3f), d.transmittance = Rgb(0.6f, 0.4f, 0.2f);
+         });
+         return scenes::textured(m, Slot::Transmittance, b.add_texture(checks(0.3f, 1)));
+       }},
+      {"rough metal", [](Builder&) { return scenes::conductor(0.8f, 0.8f); }},
+      {"rough glass", [](Builder&) { return scenes::dielectric(1.5f, 0.6f); }},
+      {"coated diffuse", [](Builder&) { return of_kind(CoatedDiffuse, 0.3f, [](Material&) {}); }},
+      {"coated diffuse, smooth", [](Builder&) { return of_kind(CoatedDiffuse, 0, [](Material& m) { m.ior = 1.8f; }); },
+       true},
+      {"coated conductor",
+       [](Builder&) { return of_kind(CoatedConductor, 0.3f, [](Material& m) { m.coat_alpha = 0.2f; }); }},
+      {"coated conductor, smooth over rough", [](Builder&) { return of_kind(CoatedConductor, 0.4f, [](Material&) {}); },
+       true},
+      {"principled",
+       [](Builder& b) {
+         const Material m = of_kind(Principled, 0.3f, [](Material& p) {
+           p.metalness = 0.5f, p.coat = 0.5f, p.coat_alpha = 0.2f, p.sheen = Rgb(0.3f), p.sheen_alpha = 0.5f;
+           p.anisotropy = 0.5f;
+         });
+         return scenes::textured(m, Slot::Metalness, b.add_texture(checks(0, 1)));
+       }},
+      {"principled, smooth and glassy",
+       [](Builder&) {
+         return of_kind(Principled, 0, [](Material& m) { m.transmission = 0.5f, m.metalness = 0.2f, m.coat = 0.5f; });
+       },
+       true},
+      {"principled, rough glass",
+       [](Builder&) { return of_kind(Principled, 0.4f, [](Material& m) { m.transmission = 0.8f; }); }},
+      {"principled, thin",
+       [](Builder&) {
+         return of_kind(Principled, 0.4f, [](Material& m) {
+           m.transmission = 0.5f, m.thin_walled = true, m.diffuse_transmission = 0.5f, m.transmittance = Rgb(0.7f);
+         });
+       }},
+      {"mix",
+       [](Builder& b) {
+         const int paint = b.add_material(scenes::textured(scenes::diffuse(Rgb(0.7f, 0.2f, 0.1f)), Slot::Reflectance,
+                                                           b.add_texture(checks(0.3f, 1)))),
+                   metal = b.add_material(scenes::conductor(0.3f, 0.5f));
+         return scenes::textured(mix(paint, metal, 0.8f), Slot::Mix, b.add_texture(checks(0.2f, 1)));
+       }},
+      {"mix of mirror and diffuse",
+       [](Builder& b) {
+         return mix(b.add_material(scenes::mirror(0.9f)), b.add_material(scenes::diffuse(0.6f)), 0.6f);
+       },
+       true},
+      {"host",
+       [](Builder&) {
+         MaterialDesc m = of_kind(Host, 0, [](Material&) {});
+         m.host_owner = std::make_shared<Even>();
+         m.host = m.host_owner.get();
+         return m;
+       }},
+      {"brushed", [](Builder&) { return of_kind(Brushed, 0, [](Material&) {}); }, true},
       {"mask", [](Builder& b) { return with_opacity(Opacity::Mode::Mask, 1, b.add_texture(checks(0, 1))); }},
       {"blend", [](Builder& b) { return with_opacity(Opacity::Mode::Blend, 0.9f, b.add_texture(checks(0.3f, 0.8f))); }},
   };

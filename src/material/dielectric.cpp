@@ -1,9 +1,10 @@
-// Glass, water: Fresnel reflection and refraction, smooth or at GGX microfacets with single scattering (Walter et al.
-// 2007). p and n are previous and next, both turned so that p is on the side z > 0, and eta is the index on the other
-// side of the surface over that on the side of p.
-#include "material/fresnel.h"
+// Glass, water: Fresnel reflection and refraction, smooth or at GGX microfacets (Walter et al. 2007). p and n are
+// previous and next, both turned so that p is on the side z > 0, and eta is the index on the other side of the surface
+// over that on the side of p.
+#include "material/boundary.h"
+#include "material/compensation.h"
 #include "material/kinds.h"
-#include "material/microfacet.h"
+#include "sampling/warp.h"
 
 namespace bdpt {
 namespace {
@@ -94,34 +95,112 @@ BsdfSample pass(const Vec3& previous) {
   return s;
 }
 
+// What is scattered more than once: x of it goes to the other side. For f over the squared index to be symmetric x has
+// to go with the other side's squared index times its mean loss; by how much is set by what a smooth boundary
+// transmits of diffuse light, both sides together.
+struct BoundaryLoss {
+  Ggx ggx;
+  BoundaryAlbedo::Eta here, there;  // seen from the side of previous, and from the other
+  float mean, other_mean, x, other_x;
+
+  BoundaryLoss(const Ggx& g, float eta) : ggx(g), here(BoundaryAlbedo::at(eta)), there(here.reciprocal()) {
+    const BoundaryAlbedo& albedo = BoundaryAlbedo::get();
+    const float alpha = isotropic_alpha(ggx, Vec3(0, 0, 1));
+    mean = 1 - albedo.all_mean(alpha, here);
+    other_mean = 1 - albedo.all_mean(alpha, there);
+    const float to = eta * eta * other_mean, back = mean, both = to + back;
+    const float transmitted = 2 - albedo.reflected_mean(0, here) - albedo.reflected_mean(0, there);
+    const float scale = both > 0 ? std::min(transmitted / both, 1 / std::max(to, back)) : 0;
+    x = to * scale;
+    other_x = back * scale;
+  }
+
+  // v is on the side of previous where its z is positive.
+  float of(const Vec3& v) const {
+    const float alpha = isotropic_alpha(ggx, v);
+    return std::clamp(1 - BoundaryAlbedo::get().all(alpha, std::fabs(v.z), v.z > 0 ? here : there), 0.0f, 1.0f);
+  }
+};
+
+// The lobe for one direction: f, and the chances and densities of sampling it from either.
+struct LossLobe {
+  float f, chance, chance_reverse, density, density_reverse;
+
+  LossLobe(const BoundaryLoss& loss, float eta, const Vec3& p, const Vec3& n, TransportMode mode)
+      : chance(loss.of(p)), chance_reverse(loss.of(n)) {
+    const bool reflects = n.z > 0;
+    const float part = reflects ? 1 - loss.x : loss.x, part_reverse = reflects ? 1 - loss.x : loss.other_x;
+    f = part * compensation(chance, chance_reverse, reflects ? loss.mean : loss.other_mean);
+    if (!reflects) f *= radiance_scale(mode, eta);
+    density = part * std::fabs(n.z) * kInvPi;
+    density_reverse = part_reverse * p.z * kInvPi;
+  }
+};
+
+Boundary boundary_of(const Material& m) { return {m.ior, Ggx(m), m.is_smooth(), m.single_scattering}; }
+
 BsdfValue evaluate_dielectric(const Material& material, const Rgb&, const Vec3& previous, const Vec3& next,
                               TransportMode mode) {
-  if (material.is_specular()) return {};
-  const Vec3 p(previous.x, previous.y, std::fabs(previous.z));
-  const Vec3 n(next.x, next.y, turn(previous, next.z));
-  if (p.z < kMinCosine || std::fabs(n.z) < kMinCosine) return {};
-  const Ggx ggx(material);
-  const float eta = previous.z < 0 ? 1 / material.ior : material.ior;
-  if (n.z < 0) return refract_at_microfacets(ggx, eta, p, n, mode);
-  const MicrofacetReflection r = reflect_at_microfacets(ggx, p, n);
-  const float cos2_t = refracted_cosine_squared(r.cos_h, eta);
-  const float reflectance = cos2_t > 0 ? fresnel_dielectric(r.cos_h, std::sqrt(cos2_t), eta) : 1;
-  return {Rgb(reflectance * r.f), reflectance * r.density, reflectance * r.density_reverse};
+  return evaluate(boundary_of(material), previous, next, mode);
 }
 
 BsdfSample sample_dielectric(const Material& material, const Rgb&, const Vec3& previous, TransportMode mode,
                              const float u[3]) {
-  if (std::fabs(previous.z) < kMinCosine) return {};
-  if (material.is_index_matched()) return pass(previous);
-  const float index_p = previous.z < 0 ? material.ior : 1;
-  const float index_n = previous.z < 0 ? 1 : material.ior;
-  if (material.is_smooth()) return sample_smooth(previous, index_p, index_n, mode, u[2]);
-  return sample_rough(Ggx(material), previous, index_n / index_p, mode, u);
+  return sample(boundary_of(material), previous, mode, u);
 }
+
+bool is_dirac(const Material& m) { return m.is_smooth() || m.is_index_matched(); }
 
 }  // namespace
 
-const MaterialKind kDielectricKind{evaluate_dielectric, sample_dielectric,
-                                   [](const Material& m) { return m.is_smooth() || m.is_index_matched(); }, always};
+BsdfValue evaluate(const Boundary& boundary, const Vec3& previous, const Vec3& next, TransportMode mode) {
+  if (boundary.smooth || boundary.is_index_matched()) return {};
+  const Vec3 p(previous.x, previous.y, std::fabs(previous.z));
+  const Vec3 n(next.x, next.y, turn(previous, next.z));
+  if (p.z < kMinCosine || std::fabs(n.z) < kMinCosine) return {};
+  const Ggx& ggx = boundary.ggx;
+  const float eta = previous.z < 0 ? 1 / boundary.ior : boundary.ior;
+  BsdfValue v;
+  if (n.z < 0) {
+    v = refract_at_microfacets(ggx, eta, p, n, mode);
+  } else {
+    const MicrofacetReflection r = reflect_at_microfacets(ggx, p, n);
+    const float cos2_t = refracted_cosine_squared(r.cos_h, eta);
+    const float reflectance = cos2_t > 0 ? fresnel_dielectric(r.cos_h, std::sqrt(cos2_t), eta) : 1;
+    v = {Rgb(reflectance * r.f), reflectance * r.density, reflectance * r.density_reverse};
+  }
+  if (boundary.single_scattering) return v;
+  const LossLobe lobe(BoundaryLoss(ggx, eta), eta, p, n, mode);
+  v.f += Rgb(lobe.f);
+  v.density += lobe.chance * (lobe.density - v.density);
+  v.density_reverse += lobe.chance_reverse * (lobe.density_reverse - v.density_reverse);
+  return v;
+}
+
+BsdfSample sample(const Boundary& boundary, const Vec3& previous, TransportMode mode, const float u[3]) {
+  if (std::fabs(previous.z) < kMinCosine) return {};
+  if (boundary.is_index_matched()) return pass(previous);
+  const float index_p = previous.z < 0 ? boundary.ior : 1, index_n = previous.z < 0 ? 1 : boundary.ior;
+  const float eta = index_n / index_p;
+  const Ggx& ggx = boundary.ggx;
+  if (boundary.smooth) return sample_smooth(previous, index_p, index_n, mode, u[2]);
+  if (boundary.single_scattering) return sample_rough(ggx, previous, eta, mode, u);
+  const BoundaryLoss loss(ggx, eta);
+  const Vec3 p(previous.x, previous.y, std::fabs(previous.z));
+  const float chance = loss.of(p);
+  if (u[2] < chance) {
+    const bool transmits = u[2] < chance * loss.x;
+    const Vec3 n = sample_cosine_hemisphere(u[0], u[1]);
+    const Vec3 next(n.x, n.y, turn(previous, transmits ? -n.z : n.z));
+    return sampled(next, evaluate(boundary, previous, next, mode));
+  }
+  const float rest[3] = {u[0], u[1], std::min((u[2] - chance) / (1 - chance), 0x1.fffffep-1f)};
+  const BsdfSample s = sample_rough(ggx, previous, eta, mode, rest);
+  if (!(s.density > 0)) return {};
+  const LossLobe lobe(loss, eta, p, Vec3(s.next.x, s.next.y, turn(previous, s.next.z)), mode);
+  return with_lobe(s, Rgb(lobe.f), lobe.chance, lobe.chance_reverse, lobe.density, lobe.density_reverse);
+}
+
+const MaterialKind kDielectricKind{evaluate_dielectric, sample_dielectric, is_dirac, always, is_dirac};
 
 }  // namespace bdpt

@@ -26,6 +26,6 @@ BsdfSample sample_diffuse(const Material& material, const Rgb& reflectance, cons
 
 }  // namespace
 
-const MaterialKind kDiffuseKind{evaluate_diffuse, sample_diffuse, never, never};
+const MaterialKind kDiffuseKind{evaluate_diffuse, sample_diffuse, never, never, never};
 
 }  // namespace bdpt

@@ -43,4 +43,15 @@ inline Rgb fresnel_conductor(float cos_i, const Rgb& eta, const Rgb& k) {
           fresnel_conductor(cos_i, eta.b, k.b)};
 }
 
+// Schlick's approximation is f0 + (f90 - f0) times this.
+inline float schlick_part(float cosine) {
+  const float x = std::clamp(1 - cosine, 0.0f, 1.0f), x2 = x * x;
+  return x2 * x2 * x;
+}
+// Its mean over the cosine-weighted hemisphere.
+inline constexpr float kSchlickMean = 1 / 21.0f;
+
+// Of a conductor at normal incidence.
+inline float fresnel_conductor_normal(float eta, float k) { return (sqr(eta - 1) + k * k) / (sqr(eta + 1) + k * k); }
+
 }  // namespace bdpt

@@ -18,6 +18,6 @@ BsdfSample sample_interface(const Material&, const Rgb&, const Vec3& previous, T
 
 }  // namespace
 
-const MaterialKind kInterfaceKind{evaluate_interface, sample_interface, always, always};
+const MaterialKind kInterfaceKind{evaluate_interface, sample_interface, always, always, always};
 
 }  // namespace bdpt

@@ -21,24 +21,55 @@ enum class MaterialType {
   Conductor,
   Dielectric,
   Interface,  // between media: there is nothing to see of it
+  DiffuseTransmission,
+  CoatedDiffuse,
+  CoatedConductor,
+  Principled,
+  Mix,
+  Host,
+  Brushed,
+  RoughDiffuse,  // Diffuse with a roughness
 };
+
+// A host's own material: f and both densities for two directions, and a direction for u. False: there is none.
+class HostMaterial;
 
 // The numbers of a material at a point of a surface.
 struct Material {
   MaterialType type = MaterialType::Diffuse;
-  Rgb reflectance;                 // diffuse, mirror; at a vertex it is the vertex's own that counts
-  Rgb eta, k;                      // conductor
-  float ior = 1.5f;                // dielectric: inside over outside
+  Rgb reflectance;                 // of all but metals and glass; at a vertex it is the vertex's own that counts
+  Rgb eta, k;                      // conductors
+  float ior = 1.5f;                // dielectric, coated diffuse, principled: inside over outside
   float alpha_u = 0, alpha_v = 0;  // GGX; both zero = smooth
+  bool single_scattering = false;  // GGX without what is scattered more than once
   bool one_sided = false;
-  uint16_t encloses = 0;  // number in the scene's Interiors; 0 = nothing that counts
+  uint16_t encloses = 0;                  // number in the scene's Interiors; 0 = nothing that counts
+  float diffuse_roughness = 0;            // Oren-Nayar's
+  Rgb transmittance;                      // diffuse transmission; principled: colour of what goes through diffusely
+  float coat = 0;                         // principled: weight
+  float coat_ior = 1.5f, coat_alpha = 0;  // coated conductor, principled
+  float metalness = 0, specular = 1;      // these and the following: principled
+  Rgb specular_color{1};
+  Rgb sheen;
+  float sheen_alpha = 0;
+  float transmission = 0, diffuse_transmission = 0;
+  bool thin_walled = false;
+  float anisotropy = 0;                    // alpha_u goes to 1 with its square
+  float tangent_cos = 1, tangent_sin = 0;  // of the direction u in the tangent frame
+  const Material* parts[2] = {};           // mix
+  float mix = 0;                           // weight of the second
+  const HostMaterial* host = nullptr;
   Rgb emission;
   bool emission_two_sided = false;
   float emission_exponent = 0;  // radiance goes with the cosine to this power
   uint32_t emission_group = 0;  // see LightDesc
 
   bool is_smooth() const { return alpha_u == 0; }
-  bool is_anisotropic() const { return alpha_u != alpha_v; }
+  // Whether directions along the surface matter.
+  bool is_anisotropic() const {
+    return alpha_u != alpha_v || anisotropy != 0 || type == MaterialType::Mix || type == MaterialType::Host ||
+           type == MaterialType::Brushed;
+  }
   // A dielectric whose two sides are optically the same: all light passes straight through, however rough.
   bool is_index_matched() const { return type == MaterialType::Dielectric && std::fabs(ior - 1) < 1e-4f; }
   // Whether light from one side may go on to the other.
@@ -46,6 +77,8 @@ struct Material {
   // True where all scattering is a Dirac: no connection can be made here (Veach 10.3.5). Where a part of it is, samples
   // say which part they are of.
   bool is_specular() const;
+  // True where some of it is.
+  bool has_specular() const;
 };
 
 // f_s for both directions given, with the densities of sampling one from the other.

@@ -19,6 +19,6 @@ BsdfSample sample_mirror(const Material& material, const Rgb& reflectance, const
 
 }  // namespace
 
-const MaterialKind kMirrorKind{evaluate_mirror, sample_mirror, always, never};
+const MaterialKind kMirrorKind{evaluate_mirror, sample_mirror, always, never, always};
 
 }  // namespace bdpt

@@ -4,6 +4,7 @@
 #include "geometry/opacity.h"
 #include "material/material.h"
 
+#include <memory>
 #include <vector>
 
 namespace bdpt {
@@ -15,6 +16,19 @@ enum class Slot : uint8_t {
   Normal,     // a tangent-space normal map: 2 rgb - 1, x along u, y along v
   Bump,       // a height along the normal, in the texture's channel times the use's scale, in world units
   Emission,
+  DiffuseRoughness,
+  Transmittance,
+  Metalness,
+  Specular,
+  SpecularColor,
+  Coat,
+  CoatRoughness,
+  Sheen,
+  SheenRoughness,
+  Transmission,
+  DiffuseTransmission,
+  Anisotropy,  // red and green the direction, 2 rg - 1; blue the number
+  Mix,
 };
 
 struct TextureUse {
@@ -33,13 +47,16 @@ struct MaterialDesc : Material {
 
   std::vector<TextureUse> textures;
   Opacity opacity;
-  int interior = -1;      // index into SceneDesc::media: what its closed surfaces enclose
-  uint32_t priority = 0;  // where they overlap others
+  int interior = -1;        // index into SceneDesc::media: what its closed surfaces enclose
+  uint32_t priority = 0;    // where they overlap others
+  int mixed[2] = {-1, -1};  // of a mix: indices into SceneDesc::materials
+  std::shared_ptr<const HostMaterial> host_owner;
 
   // Whether a copy of the numbers is needed at each point; the reflectance is the vertex's own.
   bool varies() const {
     for (const TextureUse& use : textures)
-      if (use.slot == Slot::Roughness) return true;
+      if (use.slot != Slot::Reflectance && use.slot != Slot::Normal && use.slot != Slot::Bump &&
+          use.slot != Slot::Emission) return true;
     return false;
   }
 };

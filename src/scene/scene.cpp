@@ -42,6 +42,41 @@ const TextureUse* emission_use(const MaterialDesc& material) {
   return nullptr;
 }
 
+// Those that the first four kinds do not have; what is left at its default adds nothing.
+template <class Add>
+void add_numbers(const MaterialDesc& m, const Add& add) {
+  const auto numbers = [](const MaterialDesc& d) {
+    return std::array{d.diffuse_roughness,
+                      d.transmittance.r,
+                      d.transmittance.g,
+                      d.transmittance.b,
+                      d.coat,
+                      d.coat_ior,
+                      d.coat_alpha,
+                      d.metalness,
+                      d.specular,
+                      d.specular_color.r,
+                      d.specular_color.g,
+                      d.specular_color.b,
+                      d.sheen.r,
+                      d.sheen.g,
+                      d.sheen.b,
+                      d.sheen_alpha,
+                      d.transmission,
+                      d.diffuse_transmission,
+                      d.anisotropy,
+                      d.tangent_cos,
+                      d.tangent_sin,
+                      d.mix,
+                      float(d.mixed[0]),
+                      float(d.mixed[1]),
+                      float(d.thin_walled),
+                      float(d.single_scattering)};
+  };
+  const auto own = numbers(m);
+  if (own != numbers(MaterialDesc())) add(own);
+}
+
 uint64_t hash_scene(const SceneDesc& desc) {
   uint64_t h = hash_values(desc.shapes.size(), desc.instances.size());
   const auto add = [&](const auto& value) { h = hash_bytes(&value, sizeof(value), h); };
@@ -61,6 +96,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
     add(numbers);
     h = hash_combine(h, hash_values(int(m.type), m.one_sided, m.emission_two_sided));
     if (m.emission_group > 0) h = hash_combine(h, m.emission_group);
+    add_numbers(m, add);
     const auto add_lookup = [&](int texture, int channel, const UvMap& uv, const TextureSampler& s) {
       add(uv.m);
       add(s.level);
@@ -121,6 +157,9 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   if (desc_.instances.empty() && desc_.lights.empty())
     fail(ErrorCode::InvalidArgument, "the builder holds no instance and no light; add some before building");
 
+  for (MaterialDesc& m : desc_.materials)
+    for (int i = 0; i < 2 && m.type == MaterialType::Mix; ++i) m.parts[i] = &desc_.materials[size_t(m.mixed[i])];
+
   booking_ = Booking(meter, world_position_bytes(), "the scene's world positions");
   number_enclosures();
   place_instances();
@@ -148,7 +187,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
     if (t) info_.memory += t->memory();
   info_.instances = instances_.size();
   for (const MaterialDesc& m : desc_.materials)
-    info_.has_specular = info_.has_specular || m.is_specular() || m.varies();
+    info_.has_specular = info_.has_specular || m.has_specular() || m.varies();
   info_.hash = hash_scene(desc_);
   if (has_interiors_) find_light_interiors();
 }
@@ -199,6 +238,12 @@ uint64_t Scene::world_position_bytes() const {
   return bytes;
 }
 
+bool Scene::varies(const MaterialDesc& material) const {
+  if (material.varies()) return true;
+  return material.type == MaterialType::Mix && (!desc_.materials[size_t(material.mixed[0])].textures.empty() ||
+                                                !desc_.materials[size_t(material.mixed[1])].textures.empty());
+}
+
 void Scene::place_instances() {
   const std::vector<int> uses = uses_of_shapes();
   for (const InstanceDesc& d : desc_.instances) {
@@ -207,6 +252,7 @@ void Scene::place_instances() {
     instance.material = &desc_.materials[size_t(d.material)];
     instance.is_plain = instance.material->textures.empty() && !instance.material->is_anisotropic() &&
                         !(shape.mesh && !shape.mesh->colors.empty());
+    instance.varies = varies(*instance.material);
     instance.transform = d.transform;
     instance.inverse = invert(d.transform);
     instance.identity = d.transform.is_identity();

@@ -104,6 +104,7 @@ class Scene {
     const Sphere* sphere = nullptr;
     const MaterialDesc* material = nullptr;
     bool is_plain = true;  // there is nothing to shade
+    bool varies = false;   // its material's numbers are those of the place
     Transform transform, inverse;
     View<Vec3> world_positions;  // empty where the mesh is instanced
     float handedness = 1;        // -1 where the transform reflects: keeps the front the image of the front
@@ -129,6 +130,11 @@ class Scene {
   };
   Vec2 uv_at(const Instance& instance, int set, const Hit& hit, const Vec3& ng) const;
   bool uv_frame(const Instance& instance, int set, const Hit& hit, const Vec3& ng, UvFrame& frame) const;
+  bool varies(const MaterialDesc& material) const;
+  void vary(const MaterialDesc& material, const Instance& instance, const Hit& hit, const Vec3& ng, Rgb& reflectance,
+            Material* own) const;
+  const Material* part(const MaterialDesc& mix, int index, const Instance& instance, const Hit& hit, const Vec3& ng,
+                       MaterialStore& store) const;
   void bend_normal(const Instance& instance, const TextureUse& use, const Hit& hit, Surface& surface) const;
 
   SceneDesc desc_;

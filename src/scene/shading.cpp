@@ -87,31 +87,103 @@ void Scene::bend_normal(const Instance& instance, const TextureUse& use, const H
   if (n.z > 0) s.ns = unit(frame.to_world(n));
 }
 
+// Textures that multiply numbers; `own` is where they are multiplied, the reflectance apart.
+void Scene::vary(const MaterialDesc& material, const Instance& instance, const Hit& hit, const Vec3& ng,
+                 Rgb& reflectance, Material* own) const {
+  for (const TextureUse& use : material.textures) {
+    if (use.slot == Slot::Normal || use.slot == Slot::Bump || use.slot == Slot::Emission) continue;
+    const Vec2 uv = use.uv(uv_at(instance, use.uv.set, hit, ng));
+    const Rgba texel = desc_.textures[size_t(use.texture)]->lookup(uv, use.sampler);
+    const float number = use.squared ? sqr(texel[use.channel]) : texel[use.channel];
+    switch (use.slot) {
+      case Slot::Reflectance:
+        reflectance *= to_rgb(texel);
+        break;
+      case Slot::Roughness:
+        own->alpha_u *= number;
+        own->alpha_v *= number;
+        break;
+      case Slot::DiffuseRoughness:
+        own->diffuse_roughness *= number;
+        break;
+      case Slot::Transmittance:
+        own->transmittance *= to_rgb(texel);
+        break;
+      case Slot::Metalness:
+        own->metalness *= number;
+        break;
+      case Slot::Specular:
+        own->specular *= number;
+        break;
+      case Slot::SpecularColor:
+        own->specular_color *= to_rgb(texel);
+        break;
+      case Slot::Coat:
+        own->coat *= number;
+        break;
+      case Slot::CoatRoughness:
+        own->coat_alpha *= number;
+        break;
+      case Slot::Sheen:
+        own->sheen *= to_rgb(texel);
+        break;
+      case Slot::SheenRoughness:
+        own->sheen_alpha *= number;
+        break;
+      case Slot::Transmission:
+        own->transmission *= number;
+        break;
+      case Slot::DiffuseTransmission:
+        own->diffuse_transmission *= number;
+        break;
+      case Slot::Anisotropy: {
+        own->anisotropy *= texel[2];
+        const float x = 2 * texel[0] - 1, y = 2 * texel[1] - 1, l = std::sqrt(x * x + y * y);
+        if (!(l > 0)) break;
+        const float c = own->tangent_cos, d = own->tangent_sin;
+        own->tangent_cos = (c * x - d * y) / l;
+        own->tangent_sin = (d * x + c * y) / l;
+        break;
+      }
+      case Slot::Mix:
+        own->mix *= number;
+        break;
+      case Slot::Normal:
+      case Slot::Bump:
+      case Slot::Emission:  // the light's own
+        break;
+    }
+  }
+}
+
+// One of the two that a mix is made of: the scene's, or a copy whose numbers are those of the place.
+const Material* Scene::part(const MaterialDesc& mix, int index, const Instance& instance, const Hit& hit,
+                            const Vec3& ng, MaterialStore& store) const {
+  const MaterialDesc& material = desc_.materials[size_t(mix.mixed[index])];
+  if (material.textures.empty()) return &material;
+  Material& own = store.add(material);
+  vary(material, instance, hit, ng, own.reflectance, &own);
+  return &own;
+}
+
 void Scene::shade(const Hit& hit, Surface& s, MaterialStore& store) const {
   const Instance& instance = instances_[hit.instance];
   if (instance.is_plain) return;
   const MaterialDesc& material = *instance.material;
   if (instance.mesh && !instance.mesh->colors.empty())
     s.reflectance *= to_rgb(instance.mesh->color(hit.primitive, hit.u, hit.v));
-  Material* own = nullptr;
-  if (material.varies()) s.material = own = &store.add(material);
   const Vec3 ng = s.ng;
-  for (const TextureUse& use : material.textures) {
-    if (use.slot == Slot::Emission) continue;  // the light's own
-    if (use.slot == Slot::Normal || use.slot == Slot::Bump) {
-      bend_normal(instance, use, hit, s);
-      continue;
-    }
-    const Vec2 uv = use.uv(uv_at(instance, use.uv.set, hit, ng));
-    const Rgba texel = desc_.textures[size_t(use.texture)]->lookup(uv, use.sampler);
-    if (use.slot == Slot::Reflectance) {
-      s.reflectance *= to_rgb(texel);
-      continue;
-    }
-    const float number = use.squared ? sqr(texel[use.channel]) : texel[use.channel];
-    own->alpha_u *= number;
-    own->alpha_v *= number;
+  if (instance.varies) {
+    Material& own = store.add(material);
+    s.material = &own;
+    vary(material, instance, hit, ng, s.reflectance, &own);
+    if (material.type == MaterialType::Mix)
+      for (int i = 0; i < 2; ++i) own.parts[i] = part(material, i, instance, hit, ng, store);
+  } else {
+    vary(material, instance, hit, ng, s.reflectance, nullptr);
   }
+  for (const TextureUse& use : material.textures)
+    if (use.slot == Slot::Normal || use.slot == Slot::Bump) bend_normal(instance, use, hit, s);
   if (!s.material->is_anisotropic()) return;
   UvFrame frame;
   if (uv_frame(instance, 0, hit, s.ng, frame))
