@@ -39,8 +39,9 @@
  *   overlap; calls on different objects may. Contexts share nothing.
  *
  * Callbacks
- *   A callback passed to a call runs only during this call, only on the calling thread, one at a time; the two
- *   exceptions are the log (any thread) and the executor's body (the host's threads). It must not throw or longjmp.
+ *   A callback passed to a call runs only during this call, only on the calling thread, one at a time; the exceptions
+ *   are the log and a host's material (any thread) and the executor's body (the host's threads). It must not throw or
+ *   longjmp.
  *   It returns zero to go on; any other value stops the call, which then returns BDPT_ERROR_CALLBACK_FAILED, with the
  *   callback's value in bdpt_last_error(). Inside progress and output callbacks only the functions that say so may be
  *   called on objects in use; others return BDPT_ERROR_REENTRANT.
@@ -431,11 +432,19 @@ BDPT_API BDPT_CHECK bdpt_result bdpt_medium_update(bdpt_builder *builder, bdpt_m
 BDPT_API BDPT_CHECK bdpt_result bdpt_medium_remove(bdpt_builder *builder, bdpt_medium_id medium);
 
 typedef int32_t bdpt_material_type;
-#define BDPT_MATERIAL_DIFFUSE 0    /* f = reflectance / pi */
+#define BDPT_MATERIAL_DIFFUSE 0    /* f = reflectance / pi; Oren-Nayar where diffuse_roughness > 0 */
 #define BDPT_MATERIAL_MIRROR 1     /* perfect reflection, times reflectance */
 #define BDPT_MATERIAL_CONDUCTOR 2  /* Fresnel reflection by a complex index; smooth, or GGX where roughness > 0 */
 #define BDPT_MATERIAL_DIELECTRIC 3 /* Fresnel reflection and refraction; smooth, or GGX where roughness > 0 */
 #define BDPT_MATERIAL_INTERFACE 4  /* the boundary of a medium, which nothing else shows: rays pass it, shadow rays too */
+#define BDPT_MATERIAL_DIFFUSE_TRANSMISSION 5 /* reflectance / pi, and transmittance / pi through to the other side */
+#define BDPT_MATERIAL_COATED_DIFFUSE 6   /* plastic: a dielectric coat with ior and roughness over diffuse */
+#define BDPT_MATERIAL_COATED_CONDUCTOR 7 /* a conductor below a dielectric coat with coat_ior and coat_roughness */
+#define BDPT_MATERIAL_PRINCIPLED 8       /* glTF 2.0's with its extensions: base colour in reflectance, and all below */
+#define BDPT_MATERIAL_MIX 9              /* two others, the second with the weight mix */
+#define BDPT_MATERIAL_HOST 10             /* functions of yours: bdpt_host_material */
+#define BDPT_MATERIAL_BRUSHED 11         /* perfectly anisotropic reflection by grooves along u, times reflectance: all
+                                            that a mirror could send to the cone round u goes evenly to all of it */
 
 typedef int32_t bdpt_slot;
 /* What a texture varies. Colours are multiplied by the texture's, numbers by one of its channels. */
@@ -445,6 +454,19 @@ typedef int32_t bdpt_slot;
 #define BDPT_SLOT_BUMP 3        /* the surface seems raised along its normal by a channel times scale, in world units */
 #define BDPT_SLOT_OPACITY 4     /* number */
 #define BDPT_SLOT_EMISSION 5    /* colour; not on spheres. Such a light is sampled by its texels */
+#define BDPT_SLOT_DIFFUSE_ROUGHNESS 6
+#define BDPT_SLOT_TRANSMITTANCE 7 /* colour */
+#define BDPT_SLOT_METALNESS 8
+#define BDPT_SLOT_SPECULAR 9
+#define BDPT_SLOT_SPECULAR_COLOR 10 /* colour */
+#define BDPT_SLOT_COAT 11
+#define BDPT_SLOT_COAT_ROUGHNESS 12
+#define BDPT_SLOT_SHEEN_COLOR 13 /* colour */
+#define BDPT_SLOT_SHEEN_ROUGHNESS 14
+#define BDPT_SLOT_TRANSMISSION 15
+#define BDPT_SLOT_DIFFUSE_TRANSMISSION 16
+#define BDPT_SLOT_ANISOTROPY 17 /* as in glTF: red and green the direction, 2 rg - 1, in the frame of u; blue the number */
+#define BDPT_SLOT_MIX 18
 
 typedef int32_t bdpt_wrap;
 #define BDPT_WRAP_REPEAT 0
@@ -478,17 +500,44 @@ typedef int32_t bdpt_opacity_mode;
 #define BDPT_OPACITY_MASK 1  /* there where opacity is at least the cutoff */
 #define BDPT_OPACITY_BLEND 2 /* there with the probability of opacity, by a hash of the ray */
 
+/* Where a host's material scatters. Directions are unit vectors that point away from the surface, in the shading frame: z
+ * along the normal on the front, x along u. */
+typedef struct bdpt_scattering_place {
+  float previous[3];    /* where the subpath comes from; of an eye subpath, or a light subpath: you are not told */
+  float reflectance[3]; /* of the description, times its textures */
+  float roughness[2];   /* alpha, alike */
+} bdpt_scattering_place;
+typedef struct bdpt_scattering_value {
+  float f[3];            /* >= 0, per projected solid angle, without cosines; the same with both directions exchanged */
+  float density;         /* with which sample gives next, per solid angle; > 0 where f is */
+  float density_reverse; /* with which it gives previous, coming from next */
+} bdpt_scattering_value;
+
+/* A material of yours. Both functions return zero and depend on nothing but their arguments; else techniques disagree, and
+ * no two renders are the same. What breaks this contract (another value than zero, numbers that are negative or not
+ * finite, a direction that is no unit vector) is a rejected contribution: bdpt_film_info counts them.
+ * Threads: both are called on any thread that renders, several at a time. */
+typedef struct bdpt_host_material {
+  uint32_t struct_size;
+  uint32_t transmits; /* 1: light may go through; 0: you are asked for two directions on one side only */
+  void *user;         /* to be valid as long as the builder and its scenes are */
+  int32_t (*evaluate)(void *user, const bdpt_scattering_place *place, const float next[3], bdpt_scattering_value *value);
+  int32_t (*sample)(void *user, const bdpt_scattering_place *place, const float u[3], float next[3]);
+                      /* u: uniform in [0,1); next comes as zero: left so, the light is absorbed */
+} bdpt_host_material;
+
 typedef struct bdpt_material_desc {
   uint32_t struct_size;
   bdpt_material_type type;
   const char *label;
-  float reflectance[3];                /* diffuse and mirror: [0,1] per channel */
-  uint32_t one_sided;                  /* 1: what meets the back is absorbed. Not for dielectrics */
-  bdpt_texture_id reflectance_texture; /* diffuse and mirror: replaces reflectance; zero = none. Short for a use of
+  float reflectance[3];                /* of all but conductors, dielectrics and mixes: [0,1] per channel */
+  uint32_t one_sided;                  /* 1: what meets the back is absorbed. Not where light goes through */
+  bdpt_texture_id reflectance_texture; /* replaces reflectance; zero = none. Short for a use of
                                           slot REFLECTANCE, uv set 0, with reflectance (1,1,1) */
-  float eta[3];                        /* conductor: real part of the index, >= 0 */
-  float k[3];                          /* conductor: imaginary part, >= 0; eta and k not both zero in a channel */
-  float ior;                           /* dielectric: index inside over index outside; 0 = 1.5; else in [0.1, 10] */
+  float eta[3];                        /* conductors: real part of the index, >= 0; see bdpt_metal_find */
+  float k[3];                          /* conductors: imaginary part, >= 0; eta and k not both zero in a channel */
+  float ior;                           /* dielectric, principled: index inside over index outside; 0 = 1.5; else in
+                                          [0.1, 10]; of a coated diffuse in [1, 10] */
   float roughness[2];                  /* GGX alpha along u and v, [0,1]; both 0 = smooth; one 0 is an error */
   float emission[3];                   /* radiance emitted by the front [W/(m² sr)], >= 0: an instance is a light */
   uint32_t emission_two_sided;         /* 1: the back emits too */
@@ -500,7 +549,8 @@ typedef struct bdpt_material_desc {
   bdpt_opacity_mode opacity_mode;      /* rays of all kinds pass where the surface is not there. Not for what emits */
   float opacity;                       /* of mask and blend: [0,1] */
   float opacity_cutoff;                /* of mask: [0,1]; 0 = 0.5 */
-  bdpt_medium_id interior;             /* dielectric and interface: what fills the closed surface; zero = nothing */
+  bdpt_medium_id interior;             /* dielectric, interface, and principled that refracts: what fills the closed
+                                          surface; zero = nothing */
   uint32_t priority;                   /* of these: where several closed surfaces overlap, the one of highest priority is
                                           what is there, and of equals the one that a ray entered last. The others are no
                                           surfaces there; an index of refraction is relative to what is round it
@@ -508,18 +558,47 @@ typedef struct bdpt_material_desc {
                                           are counted as rejected */
   float emission_exponent;             /* n in [-1,10000]: what is emitted is emission cosⁿ of the angle to the normal.
                                           0 = Lambertian; -1 = the same intensity in all directions; more = a beam */
+  float diffuse_roughness;             /* diffuse, coated diffuse, principled: Oren-Nayar's, [0,1]; 0 = Lambert */
+  float transmittance[3];              /* [0,1]. Diffuse transmission: at most 1 together with reflectance. Principled: the
+                                          colour of what goes through by diffuse_transmission */
+  float coat;                          /* principled: weight of a clear coat, [0,1] */
+  float coat_ior;                      /* coated conductor, principled: [1,10]; 0 = 1.5 */
+  float coat_roughness;                /* alpha of the coat, [0,1]; 0 = smooth */
+  float metalness;                     /* these and the following are principled's numbers, [0,1] but for what is said */
+  float specular;                      /* weight of the dielectric's gloss; 0 = 1; -1 = none */
+  float specular_color[3];             /* at normal incidence; zeros = (1,1,1) */
+  float sheen_color[3];
+  float sheen_roughness;               /* alpha; below 0.1 it is as 0.1 */
+  float transmission;                  /* how much of what is no metal is clear, coloured by reflectance */
+  float diffuse_transmission;          /* how much of what is diffuse goes through: leaves, paper, thin subsurface. Not
+                                          with transmission unless thin_walled */
+  float anisotropy;                    /* alpha along u goes to 1 with its square */
+  float anisotropy_rotation;           /* of u about the normal, counter-clockwise in degrees; of brushed, too; finite */
+  uint32_t thin_walled;                /* 1: what is clear does not refract: window panes, bubbles */
+  uint32_t single_scattering;          /* 1: rough conductors and dielectrics lose what meets their microfacets more than
+                                          once; 0: it is given back, diffusely */
+  float mix;                           /* weight of parts[1], [0,1] */
+  uint32_t reserved_2;
+  bdpt_material_id parts[2];           /* mix: two that are no mixes or interfaces and have no emission, opacity, priority,
+                                          normal or bump map. A mix encloses nothing */
+  const bdpt_host_material *host;      /* host: copied */
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID (texture), _OUT_OF_MEMORY. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: copies.
- * Source: GGX by Walter et al. (2007), visible normals sampled after Heitz (2018). */
+ * Source: GGX by Walter et al. (2007), visible normals sampled after Heitz (2018); what is scattered more than once by
+ * Kulla and Conty (2017); Oren-Nayar by Portsmouth, Kutz and Hill (2024). */
 BDPT_API BDPT_CHECK bdpt_result bdpt_material_add(bdpt_builder *builder, const bdpt_material_desc *desc, bdpt_material_id *material);
 /* Replaces a material's description for scenes built from now on.
  * Returns: as bdpt_material_add, and BDPT_ERROR_INVALID_ID. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_material_update(bdpt_builder *builder, bdpt_material_id material, const bdpt_material_desc *desc);
-/* Removes a material that no instance uses.
+/* The complex index of a measured metal, in linear Rec.709: Ag, Al, Au or Cu.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (no such metal). Threads: any thread. Callbacks: allowed. Ownership: none.
+ * Source: refractiveindex.info: Johnson and Christy (1972), Rakić (1995), weighted by D65. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_metal_find(const char *name, float eta[3], float k[3]);
+/* Removes a material that no instance and no mix uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: none. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_material_remove(bdpt_builder *builder, bdpt_material_id material);

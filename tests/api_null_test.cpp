@@ -102,6 +102,10 @@ TEST(ApiNull, UpdatesAndRemovalsRefuseIt) {
   EXPECT_INVALID(bdpt_material_update(nullptr, contents.grey, &material));
   EXPECT_INVALID(bdpt_material_update(builder.get(), contents.grey, nullptr));
   EXPECT_INVALID(bdpt_material_remove(nullptr, contents.grey));
+  float eta[3], k[3];
+  EXPECT_INVALID(bdpt_metal_find(nullptr, eta, k));
+  EXPECT_INVALID(bdpt_metal_find("Au", nullptr, k));
+  EXPECT_INVALID(bdpt_metal_find("Au", eta, nullptr));
   EXPECT_INVALID(bdpt_light_update(nullptr, {1}, &light));
   EXPECT_INVALID(bdpt_light_update(builder.get(), {1}, nullptr));
   EXPECT_INVALID(bdpt_light_remove(nullptr, {1}));

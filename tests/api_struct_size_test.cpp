@@ -94,6 +94,15 @@ TEST(ApiStructSize, BuilderStructsAreReadBySize) {
   bdpt_material_id material{};
   check<bdpt_material_desc>("bdpt_material_desc", 96, grey_desc(),
                             [&](bdpt_material_desc* d) { return bdpt_material_add(b, d, &material); });
+  bdpt_host_material host = make<bdpt_host_material>();
+  host.evaluate = [](void*, const bdpt_scattering_place*, const float*, bdpt_scattering_value*) { return int32_t(0); };
+  host.sample = [](void*, const bdpt_scattering_place*, const float*, float*) { return int32_t(0); };
+  check<bdpt_host_material>("bdpt_host_material", 32, host, [&](bdpt_host_material* h) {
+    bdpt_material_desc d = make<bdpt_material_desc>();
+    d.type = BDPT_MATERIAL_HOST;
+    d.host = h;
+    return bdpt_material_add(b, &d, &material);
+  });
   check<bdpt_material_desc>("bdpt_material_update", 96, grey_desc(),
                             [&](bdpt_material_desc* d) { return bdpt_material_update(b, contents.grey, d); });
   bdpt_light_id light{}, first_light{};

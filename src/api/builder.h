@@ -36,7 +36,9 @@ struct MaterialEntry {
   MaterialDesc material;           // its textures are indices into the following until a scene is built
   std::vector<uint64_t> textures;  // ids
   uint64_t medium = 0;             // of the interior: id, or zero
-  uint64_t users = 0;
+  uint64_t parts[2] = {};          // ids, of a mix
+  uint64_t users = 0;              // instances and mixes
+  uint64_t mixes = 0;              // of these
 };
 
 struct MediumEntry {

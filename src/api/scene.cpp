@@ -48,7 +48,7 @@ class Collector {
     return index(media_, id, [&] { desc_.media.push_back(builder_.media[id].medium); });
   }
   int material(uint64_t id) {
-    return index(materials_, id, [&] {
+    const int number = index(materials_, id, [&] {
       const MaterialEntry& entry = builder_.materials[id];
       desc_.materials.push_back(entry.material);
       MaterialDesc& desc = desc_.materials.back();
@@ -57,6 +57,12 @@ class Collector {
       if (desc.opacity.texture >= 0) resolve(desc.opacity.texture);
       if (entry.medium) desc.interior = medium(entry.medium);
     });
+    if (desc_.materials[size_t(number)].type == MaterialType::Mix)
+      for (int i = 0; i < 2; ++i) {
+        const int part = material(builder_.materials[id].parts[i]);
+        desc_.materials[size_t(number)].mixed[i] = part;
+      }
+    return number;
   }
 
   const bdpt_builder& builder_;

@@ -4,6 +4,7 @@
 #include "api/host_array.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace bdpt {
 namespace {
@@ -23,16 +24,41 @@ struct SlotKind {
 
 constexpr uint32_t kAll = ~0u;
 constexpr uint32_t bit(bdpt_material_type type) { return 1u << type; }
+constexpr uint32_t kPrincipled = bit(BDPT_MATERIAL_PRINCIPLED);
 
 // In the order of bdpt_slot; opacity has no Slot of its own.
 constexpr SlotKind kSlots[] = {
-    {"REFLECTANCE", Slot::Reflectance, false, true, false, bit(BDPT_MATERIAL_DIFFUSE) | bit(BDPT_MATERIAL_MIRROR)},
-    {"ROUGHNESS", Slot::Roughness, true, true, false, bit(BDPT_MATERIAL_CONDUCTOR) | bit(BDPT_MATERIAL_DIELECTRIC)},
+    {"REFLECTANCE", Slot::Reflectance, false, true, false,
+     ~(bit(BDPT_MATERIAL_CONDUCTOR) | bit(BDPT_MATERIAL_DIELECTRIC) | bit(BDPT_MATERIAL_INTERFACE) |
+       bit(BDPT_MATERIAL_COATED_CONDUCTOR) | bit(BDPT_MATERIAL_MIX))},
+    {"ROUGHNESS", Slot::Roughness, true, true, false,
+     bit(BDPT_MATERIAL_CONDUCTOR) | bit(BDPT_MATERIAL_DIELECTRIC) | bit(BDPT_MATERIAL_COATED_DIFFUSE) |
+         bit(BDPT_MATERIAL_COATED_CONDUCTOR) | kPrincipled | bit(BDPT_MATERIAL_HOST)},
     {"NORMAL", Slot::Normal, false, false, true, kAll},
     {"BUMP", Slot::Bump, true, false, true, kAll},
     {"OPACITY", Slot::Reflectance, true, true, false, kAll},
     {"EMISSION", Slot::Emission, false, false, false, kAll},
+    {"DIFFUSE_ROUGHNESS", Slot::DiffuseRoughness, true, true, false,
+     bit(BDPT_MATERIAL_DIFFUSE) | bit(BDPT_MATERIAL_COATED_DIFFUSE) | kPrincipled},
+    {"TRANSMITTANCE", Slot::Transmittance, false, true, false, bit(BDPT_MATERIAL_DIFFUSE_TRANSMISSION) | kPrincipled},
+    {"METALNESS", Slot::Metalness, true, true, false, kPrincipled},
+    {"SPECULAR", Slot::Specular, true, true, false, kPrincipled},
+    {"SPECULAR_COLOR", Slot::SpecularColor, false, true, false, kPrincipled},
+    {"COAT", Slot::Coat, true, true, false, kPrincipled},
+    {"COAT_ROUGHNESS", Slot::CoatRoughness, true, true, false, kPrincipled | bit(BDPT_MATERIAL_COATED_CONDUCTOR)},
+    {"SHEEN_COLOR", Slot::Sheen, false, true, false, kPrincipled},
+    {"SHEEN_ROUGHNESS", Slot::SheenRoughness, true, true, false, kPrincipled},
+    {"TRANSMISSION", Slot::Transmission, true, true, false, kPrincipled},
+    {"DIFFUSE_TRANSMISSION", Slot::DiffuseTransmission, true, true, false, kPrincipled},
+    {"ANISOTROPY", Slot::Anisotropy, false, true, false, kPrincipled},
+    {"MIX", Slot::Mix, true, true, false, bit(BDPT_MATERIAL_MIX)},
 };
+static_assert(std::size(kSlots) == BDPT_SLOT_MIX + 1);
+
+// Whether its number is an alpha, which perceptual roughness is the root of.
+constexpr bool is_alpha(bdpt_slot slot) {
+  return slot == BDPT_SLOT_ROUGHNESS || slot == BDPT_SLOT_COAT_ROUGHNESS || slot == BDPT_SLOT_SHEEN_ROUGHNESS;
+}
 
 UvMap read_uv(const Subject& subject, const bdpt_texture_use& desc) {
   UvMap uv;
@@ -60,7 +86,7 @@ class UseReader {
       : builder_(builder), material_(material), desc_(desc), entry_(entry) {}
 
   void read(const bdpt_texture_use& use, const Subject& subject) {
-    subject.check_enum("slot", use.slot, BDPT_SLOT_EMISSION);
+    subject.check_enum("slot", use.slot, BDPT_SLOT_MIX);
     subject.check_reserved("reserved", use.reserved);
     subject.check_range("uv_set", use.uv_set, 0, 1);
     const SlotKind& kind = kSlots[use.slot];
@@ -72,11 +98,13 @@ class UseReader {
       subject.refuse("slot", "is ", kind.name, ", which ", material_.name(), " of this type has no use for");
     if (taken_ >> use.slot & 1u) subject.refuse("slot", "is ", kind.name, " for a second time: give each slot once");
     taken_ |= 1u << use.slot;
+    if (use.slot == BDPT_SLOT_DIFFUSE_ROUGHNESS && desc_.diffuse_roughness == 0)
+      subject.refuse("slot", "is DIFFUSE_ROUGHNESS, which multiplies the material's, and that is 0: set it");
     TextureUse result;
     result.texture = add(use.texture.id, subject, kind);
     result.slot = kind.slot;
     result.channel = uint8_t(use.channel);
-    result.squared = use.slot == BDPT_SLOT_ROUGHNESS && desc_.perceptual_roughness;
+    result.squared = is_alpha(use.slot) && desc_.perceptual_roughness;
     result.scale = use.scale == 0 ? 1 : use.scale;
     result.uv = read_uv(subject, use);
     result.sampler = read_sampler(subject, use);

@@ -72,6 +72,11 @@ struct Material {
   }
   // A dielectric whose two sides are optically the same: all light passes straight through, however rough.
   bool is_index_matched() const { return type == MaterialType::Dielectric && std::fabs(ior - 1) < 1e-4f; }
+  // Whether it parts two media; else what is on its sides is the same.
+  bool is_boundary() const {
+    return type == MaterialType::Dielectric || type == MaterialType::Interface ||
+           (type == MaterialType::Principled && transmission > 0 && !thin_walled);
+  }
   // Whether light from one side may go on to the other.
   bool transmits() const;
   // True where all scattering is a Dirac: no connection can be made here (Veach 10.3.5). Where a part of it is, samples

@@ -21,8 +21,6 @@ using Chances = std::array<float, kLobes>;
 Rgb one_minus(const Rgb& c) { return Rgb(1) - c; }
 Rgb schlick(const Rgb& f0, const Rgb& f90, float cosine) { return f0 + (f90 - f0) * schlick_part(cosine); }
 
-bool refracts(const Material& m) { return m.transmission > 0 && !m.thin_walled; }
-
 class Principled {
  public:
   Principled(const Material& m, const Rgb& base, const Vec3& previous)
@@ -31,7 +29,7 @@ class Principled {
         ggx_(m.alpha_u + (1 - m.alpha_u) * sqr(m.anisotropy), m.alpha_v),
         coat_(m.coat_alpha, m.coat_alpha),
         smooth_(m.is_smooth() && m.anisotropy == 0),
-        refracts_(refracts(m)),
+        refracts_(m.is_boundary()),
         front_(!refracts_ || previous.z > 0) {
     metal_ = m.metalness;
     glass_ = (1 - metal_) * m.transmission;
@@ -289,7 +287,7 @@ BsdfSample sample_principled(const Material& m, const Rgb& base, const Vec3& pre
 bool transmits(const Material& m) { return m.transmission > 0 || m.diffuse_transmission > 0; }
 bool has_specular(const Material& m) {
   if (m.coat > 0 && m.coat_alpha == 0) return true;
-  return (m.is_smooth() && m.anisotropy == 0) || (refracts(m) && std::fabs(m.ior - 1) < 1e-4f);
+  return (m.is_smooth() && m.anisotropy == 0) || (m.is_boundary() && std::fabs(m.ior - 1) < 1e-4f);
 }
 // Of these a metal or a glass without anything else is all that has no lobe but Diracs.
 bool is_specular(const Material& m) {
