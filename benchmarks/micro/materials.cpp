@@ -35,7 +35,10 @@ std::vector<Named> materials() {
           {"rough_conductor", make(Conductor, 0.2f, 0.2f)},
           {"anisotropic_conductor", make(Conductor, 0.1f, 0.3f)},
           {"smooth_dielectric", make(Dielectric, 0, 0)},
-          {"rough_dielectric", make(Dielectric, 0.2f, 0.2f)}};
+          {"rough_dielectric", make(Dielectric, 0.2f, 0.2f)},
+          {"coated_diffuse", make(CoatedDiffuse, 0.2f, 0.2f)},
+          {"coated_conductor", make(CoatedConductor, 0.2f, 0.2f)},
+          {"principled", make(Principled, 0.2f, 0.2f)}};
 }
 
 constexpr std::uint32_t kDraws = 1024;

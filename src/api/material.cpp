@@ -98,11 +98,12 @@ void check_type(const Subject& subject, const bdpt_material_desc& desc) {
 }
 
 // Throws unless the material may be part of a mix.
-void check_part(const Subject& subject, const MaterialDesc& m) {
+void check_part(const Subject& subject, const MaterialEntry& entry) {
+  const MaterialDesc& m = entry.material;
   if (m.type == MaterialType::Mix) subject.refuse("type", "is MIX: a mix is made of two that are none");
   if (!is_black(m.emission)) subject.refuse("emission", "is not zero: of a mix only the mix itself can emit");
-  if (m.type == MaterialType::Interface || m.priority > 0)
-    subject.refuse("type", "is INTERFACE, or has a priority: mixes enclose nothing");
+  if (m.type == MaterialType::Interface || entry.medium != 0 || m.priority > 0)
+    subject.refuse("type, interior or priority", "make it a boundary of media: a mix encloses nothing");
   if (m.opacity.mode != Opacity::Mode::Opaque)
     subject.refuse("opacity_mode", "is not opaque: give opacity to the mix itself");
   for (const TextureUse& use : m.textures)
@@ -114,7 +115,7 @@ void read_parts(bdpt_builder& builder, const bdpt_material_desc& desc, MaterialE
   for (int i = 0; i < 2; ++i) {
     const char* name = i ? "desc.parts[1]" : "desc.parts[0]";
     const MaterialEntry& part = builder.materials.at(desc.parts[i].id, name);
-    check_part(Subject(("material of " + std::string(name)).c_str(), part.label.c_str()), part.material);
+    check_part(Subject(("material of " + std::string(name)).c_str(), part.label.c_str()), part);
     entry.parts[i] = desc.parts[i].id;
   }
 }
@@ -229,7 +230,7 @@ bdpt_result bdpt_material_update(bdpt_builder* builder, bdpt_material_id materia
     MaterialEntry& entry = b.materials.at(material.id, "material");
     MaterialEntry updated = read_material(b, d);
     if (entry.mixes > 0 || updated.parts[0] == material.id || updated.parts[1] == material.id)
-      check_part(Subject("material that is part of a mix,", updated.label.c_str()), updated.material);
+      check_part(Subject("material that is part of a mix,", updated.label.c_str()), updated);
     enter(b, updated);
     leave(b, entry);
     updated.users = entry.users;
