@@ -139,6 +139,66 @@ TEST(MaterialSpecular, CoefficientsAreTheEventsProbabilityTimesSquaredIndexAndCo
     }
 }
 
+// Perfectly anisotropic reflection: the cosine with the grooves is kept, and the angle round them goes by sin / 2.
+TEST(MaterialSpecular, GroovesReflectOntoTheConeRoundThem) {
+  for (double angle : {0.0, 0.7}) {
+    const Vec3 u = direction(M_PI / 2, angle), v = cross(Vec3(0, 0, 1), u);
+    Estimate along[2];
+    for_each_sample(brushed(angle), [&](const Vec3& previous, const BsdfSample& s) {
+      ASSERT_NEAR(dot(s.next, u), -dot(previous, u), 1e-6f);
+      ASSERT_NEAR(length(s.next), 1, 1e-6f);
+      ASSERT_GT(s.next.z * previous.z, 0);
+      const float radius = std::sqrt(1 - sqr(dot(previous, u)));
+      if (radius < 0.1f) return;
+      ASSERT_NEAR(s.density, 0.5f * std::fabs(s.next.z) / radius, 1e-4f);
+      ASSERT_NEAR(s.density_reverse, 0.5f * std::fabs(previous.z) / radius, 1e-4f);
+      ASSERT_EQ(s.weight.g, 0.5f);
+      along[0].add(dot(s.next, v) / radius);
+      along[1].add(sqr(dot(s.next, v) / radius));
+    });
+    // cos(phi) is even in [-1, 1].
+    EXPECT_LT(deviation(along[0], 0), kMaxDeviation);
+    EXPECT_LT(deviation(along[1], 1.0 / 3), kMaxDeviation);
+  }
+}
+
+// The chance of a Dirac beside other lobes is in its coefficients, both ways, and out of its weight.
+TEST(MaterialSpecular, ADiracInPartHasItsChanceInItsCoefficients) {
+  for (const Named& n : partly_specular_materials()) {
+    SCOPED_TRACE(n.name);
+    EXPECT_FALSE(n.material.is_specular());
+    EXPECT_TRUE(n.material.has_specular());
+    for (double theta : {0.2, 1.0, 1.4}) {
+      const Vec3 previous = direction(theta, 1);
+      constexpr int kCount = 40000;
+      Uniform uniform(47);
+      // By directions: up, down.
+      int count[2] = {0, 0};
+      double least[2] = {1e9, 1e9};
+      for (int i = 0; i < kCount; ++i) {
+        const BsdfSample s =
+            material_testing::sample(n.material, Rgb(0.5f), previous, TransportMode::Importance, uniform);
+        if (!s.specular) continue;
+        const bool down = s.next.z < 0;
+        ++count[down];
+        const bool refracts = down && s.next != -previous;
+        const float index = refracts ? n.material.type == MaterialType::Mix ? 1.5f : n.material.ior : 1;
+        const double chance = s.density / (sqr(index) * std::fabs(s.next.z));
+        least[down] = std::min(least[down], chance);
+      }
+      for (int i = 0; i < 2; ++i)
+        if (count[i] > 0) {
+          // Several Diracs into one direction each have their own; together they are at least the smallest.
+          EXPECT_GT(count[i] / double(kCount) + kMaxDeviation * std::sqrt(0.25 / kCount), least[i]);
+          if (n.name.find("coat") == std::string::npos || n.material.type == MaterialType::CoatedDiffuse)
+            if (n.material.type != MaterialType::Principled) {
+              EXPECT_LT(count_deviation(count[i], kCount, least[i], 1e-5), kMaxDeviation);
+            }
+        }
+    }
+  }
+}
+
 TEST(MaterialSpecular, EqualIndicesLetAllLightStraightThrough) {
   for (float ior : {1.0f, 0.99995f, 1.00005f})
     for (float alpha : {0.0f, 0.3f})
