@@ -152,7 +152,7 @@ TEST_F(ApiBuilder, AFailedCallChangesNothing) {
   EXPECT_NE(BDPT_OK, bdpt_material_remove(b_, contents.lamp));
   EXPECT_NE(BDPT_OK, try_material([](bdpt_material_desc& d) { d.type = 99; }));
   EXPECT_NE(BDPT_OK, try_light([](bdpt_light_desc& d) { d.type = 99; }));
-  EXPECT_NE(BDPT_OK, try_texture([](bdpt_texture_desc& d) { d.channels = 2; }));
+  EXPECT_NE(BDPT_OK, try_texture([](bdpt_texture_desc& d) { d.channels = 5; }));
 
   EXPECT_EQ(before, scene_hash(build(b_).get()));
   // Nobody was left counted as a user, either.
@@ -376,7 +376,7 @@ TEST_F(ApiBuilder, TexturesAreChecked) {
   refused([](auto& d) { d.width = 0; });
   refused([](auto& d) { d.height = 65537; });
   refused([](auto& d) { d.pixels = nullptr; });
-  refused([](auto& d) { d.texel = 2; });
+  refused([](auto& d) { d.texel = 4; });
   refused([](auto& d) { d.encoding = 2; });
   refused([](auto& d) { d.row_stride = 5; });
   refused([](auto& d) { d.row_stride = ~uint64_t(0); });
