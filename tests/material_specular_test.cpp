@@ -199,6 +199,30 @@ TEST(MaterialSpecular, ADiracInPartHasItsChanceInItsCoefficients) {
   }
 }
 
+// What is sampled one way with a coefficient is sampled the other way with the reverse one.
+TEST(MaterialSpecular, ADiracInPartHasTheSameCoefficientsBothWays) {
+  for (const Named& n : partly_specular_materials()) {
+    SCOPED_TRACE(n.name);
+    Uniform uniform(48);
+    int met = 0;
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 previous = random_direction(uniform);
+      const BsdfSample forth = material_testing::sample(n.material, Rgb(0.5f), previous, kModes[i % 2], uniform);
+      if (!forth.specular || std::fabs(previous.z) < 0.05f || std::fabs(forth.next.z) < 0.05f) continue;
+      bool found = false;
+      for (int k = 0; k < 4000 && !found; ++k) {
+        const BsdfSample back = material_testing::sample(n.material, Rgb(0.5f), forth.next, kModes[i % 2], uniform);
+        found = back.specular && length(back.next - previous) < 1e-3f &&
+                std::fabs(back.density - forth.density_reverse) < 1e-3f * back.density &&
+                std::fabs(back.density_reverse - forth.density) < 1e-3f * forth.density;
+      }
+      EXPECT_TRUE(found) << previous << " to " << forth.next;
+      ++met;
+    }
+    EXPECT_GT(met, 5);
+  }
+}
+
 TEST(MaterialSpecular, EqualIndicesLetAllLightStraightThrough) {
   for (float ior : {1.0f, 0.99995f, 1.00005f})
     for (float alpha : {0.0f, 0.3f})
