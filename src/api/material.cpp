@@ -38,9 +38,12 @@ void check_type(const Subject& subject, const bdpt_material_desc& desc) {
     subject.refuse("priority", "is ", desc.priority, ", but no light passes the surface: set it to 0");
   if (interface && desc.one_sided)
     subject.refuse("one_sided", "is 1, but light passes through an interface: set it to 0");
+  for (int i = 0; interface && i < 3; ++i)
+    if (desc.emission[i] > 0)
+      subject.refuse("emission", "is set, but nothing is to be seen of an interface: set it to zero");
   if (dielectric && desc.one_sided)
     subject.refuse("one_sided", "is 1, but light passes through a dielectric: set it to 0");
-  if ((dielectric || conductor) && desc.reflectance_texture.id != 0)
+  if ((dielectric || conductor || interface) && desc.reflectance_texture.id != 0)
     subject.refuse("reflectance_texture",
                    "is set: only diffuse materials and mirrors have a reflectance; set it to zero");
   if ((dielectric || conductor) && (desc.roughness[0] == 0) != (desc.roughness[1] == 0))

@@ -23,13 +23,14 @@ struct SlotKind {
 
 constexpr uint32_t kAll = ~0u;
 constexpr uint32_t bit(bdpt_material_type type) { return 1u << type; }
+constexpr uint32_t kSurfaces = kAll & ~bit(BDPT_MATERIAL_INTERFACE);
 
 // In the order of bdpt_slot; opacity has no Slot of its own.
 constexpr SlotKind kSlots[] = {
     {"REFLECTANCE", Slot::Reflectance, false, true, false, bit(BDPT_MATERIAL_DIFFUSE) | bit(BDPT_MATERIAL_MIRROR)},
     {"ROUGHNESS", Slot::Roughness, true, true, false, bit(BDPT_MATERIAL_CONDUCTOR) | bit(BDPT_MATERIAL_DIELECTRIC)},
-    {"NORMAL", Slot::Normal, false, false, true, kAll},
-    {"BUMP", Slot::Bump, true, false, true, kAll},
+    {"NORMAL", Slot::Normal, false, false, true, kSurfaces},
+    {"BUMP", Slot::Bump, true, false, true, kSurfaces},
     {"OPACITY", Slot::Reflectance, true, true, false, kAll},
     {"EMISSION", Slot::Emission, false, false, false, kAll},
 };
@@ -73,7 +74,7 @@ class UseReader {
     if (taken_ >> use.slot & 1u) subject.refuse("slot", "is ", kind.name, " for a second time: give each slot once");
     taken_ |= 1u << use.slot;
     TextureUse result;
-    result.texture = add(use.texture.id, subject, kind);
+    result.texture = add(use.texture.id, subject, "texture", kind);
     result.slot = kind.slot;
     result.channel = uint8_t(use.channel);
     result.squared = use.slot == BDPT_SLOT_ROUGHNESS && desc_.perceptual_roughness;
@@ -98,16 +99,16 @@ class UseReader {
     if (taken_ & 1u)
       material_.refuse("reflectance_texture", "is set beside a use of slot REFLECTANCE: give one of them");
     TextureUse use;
-    use.texture = add(desc_.reflectance_texture.id, material_, kSlots[BDPT_SLOT_REFLECTANCE]);
+    use.texture = add(desc_.reflectance_texture.id, material_, "reflectance_texture", kSlots[BDPT_SLOT_REFLECTANCE]);
     entry_.material.reflectance = Rgb(1);
     entry_.material.textures.push_back(use);
   }
 
  private:
-  int add(uint64_t id, const Subject& subject, const SlotKind& kind) {
-    const TextureEntry& texture = builder_.textures.at(id, (subject.name() + ".texture").c_str());
+  int add(uint64_t id, const Subject& subject, const char* field, const SlotKind& kind) {
+    const TextureEntry& texture = builder_.textures.at(id, (field + (" of " + subject.name())).c_str());
     if (kind.is_bounded && texture.maximum > 1)
-      subject.refuse("texture", "has texels up to ", texture.maximum, " for slot ", kind.name,
+      subject.refuse(field, "has texels up to ", texture.maximum, " for slot ", kind.name,
                      ": a surface reflects no more than it receives; scale them to at most 1");
     if (kind.slot == Slot::Emission && !std::isfinite(norm(to_rgb(desc_.emission)) * texture.maximum))
       subject.refuse("texture", "has texels up to ", texture.maximum,
@@ -132,7 +133,10 @@ void read_texture_uses(bdpt_builder& builder, const Subject& material, const bdp
   if (desc.texture_count > 0) {
     require(desc.textures, "desc.textures");
     check_stride(material, "texture_stride", desc.texture_stride, kVersion1Size<bdpt_texture_use>, 8);
-    const uint32_t stride = desc.texture_stride ? desc.texture_stride : desc.textures->struct_size;
+    const uint32_t stride =
+        desc.texture_stride ? desc.texture_stride : read_struct(desc.textures, "textures[0]").struct_size;
+    if (stride % 8 != 0)
+      material.refuse("texture_stride", "is 0 and struct_size of the first use ", stride, ": give a multiple of 8");
     for (uint32_t i = 0; i < desc.texture_count; ++i) {
       const std::string name = "textures[" + std::to_string(i) + "]";
       reader.read(read_struct(&element(desc.textures, i, stride), name.c_str()),
