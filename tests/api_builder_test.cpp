@@ -1,81 +1,12 @@
 // Ids, and what the builder refuses.
-#include "api_scene.h"
+#include "api_builder.h"
 
 #include <cmath>
-#include <functional>
-#include <limits>
 
 namespace bdpt_api {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-#define EXPECT_ID(call) EXPECT_EQ(BDPT_ERROR_INVALID_ID, (call)) << #call << ": " << bdpt_last_error()
-#define EXPECT_IN_USE(call) EXPECT_EQ(BDPT_ERROR_IN_USE, (call)) << #call << ": " << bdpt_last_error()
-
-bdpt_texture_desc texture_desc(const void* pixels, uint32_t width = 1, uint32_t height = 1) {
-  bdpt_texture_desc desc = make<bdpt_texture_desc>();
-  desc.channels = 3;
-  desc.pixels = pixels;
-  desc.width = width;
-  desc.height = height;
-  return desc;
-}
-
-bdpt_texture_id add_texture(bdpt_builder* builder) {
-  const uint8_t texel[3] = {10, 20, 30};
-  const bdpt_texture_desc desc = texture_desc(texel);
-  bdpt_texture_id texture{};
-  EXPECT_OK(bdpt_texture_add(builder, &desc, &texture));
-  return texture;
-}
-
-bdpt_light_id add_point(bdpt_builder* builder) {
-  bdpt_light_desc desc = make<bdpt_light_desc>();
-  for (float& v : desc.intensity) v = 1;
-  bdpt_light_id light{};
-  EXPECT_OK(bdpt_light_add(builder, &desc, &light));
-  return light;
-}
-
-class ApiBuilder : public testing::Test {
- protected:
-  Context context_ = make_context();
-  Builder owner_ = make_builder(context_.get());
-  bdpt_builder* b_ = owner_.get();
-
-  bdpt_result try_material(const std::function<void(bdpt_material_desc&)>& change) {
-    bdpt_material_desc desc = grey_desc();
-    change(desc);
-    bdpt_material_id id{7};
-    const bdpt_result result = bdpt_material_add(b_, &desc, &id);
-    EXPECT_EQ(result == BDPT_OK, id.id != 0);
-    return result;
-  }
-  bdpt_result try_light(const std::function<void(bdpt_light_desc&)>& change) {
-    bdpt_light_desc desc = make<bdpt_light_desc>();
-    desc.type = BDPT_LIGHT_SPOT;
-    desc.direction[2] = 5;
-    desc.intensity[0] = 1;
-    desc.cone_angle = 30;
-    desc.cone_falloff = 10;
-    change(desc);
-    bdpt_light_id id{7};
-    const bdpt_result result = bdpt_light_add(b_, &desc, &id);
-    EXPECT_EQ(result == BDPT_OK, id.id != 0);
-    return result;
-  }
-  bdpt_result try_texture(const std::function<void(bdpt_texture_desc&)>& change) {
-    static const float pixels[64] = {};
-    bdpt_texture_desc desc = texture_desc(pixels, 2, 2);
-    change(desc);
-    bdpt_texture_id id{7};
-    const bdpt_result result = bdpt_texture_add(b_, &desc, &id);
-    EXPECT_EQ(result == BDPT_OK, id.id != 0);
-    return result;
-  }
-};
+using ApiBuilder = BuilderTest;
 
 TEST_F(ApiBuilder, StaleZeroAndForeignIdsAreRefused) {
   const Contents contents(b_);
@@ -151,7 +82,8 @@ TEST_F(ApiBuilder, AFailedCallChangesNothing) {
   EXPECT_NE(BDPT_OK, bdpt_material_remove(b_, contents.lamp));
   EXPECT_NE(BDPT_OK, try_material([](bdpt_material_desc& d) { d.type = 99; }));
   EXPECT_NE(BDPT_OK, try_light([](bdpt_light_desc& d) { d.type = 99; }));
-  EXPECT_NE(BDPT_OK, try_texture([](bdpt_texture_desc& d) { d.channels = 2; }));
+  EXPECT_NE(BDPT_OK, try_texture([](bdpt_texture_desc& d) { d.channels = 5; }));
+  EXPECT_NE(BDPT_OK, try_medium([](bdpt_medium_desc& d) { d.g = 1; }));
 
   EXPECT_EQ(before, scene_hash(build(b_).get()));
   // Nobody was left counted as a user, either.
@@ -174,36 +106,6 @@ TEST_F(ApiBuilder, TheSceneDependsOnWhatIsSeenOnly) {
   EXPECT_NE(before, scene_hash(build(b_).get()));
 }
 
-TEST_F(ApiBuilder, MaterialsAreChecked) {
-  EXPECT_OK(try_material([](bdpt_material_desc&) {}));
-  EXPECT_OK(try_material([](bdpt_material_desc& d) { d.type = BDPT_MATERIAL_DIELECTRIC; }));
-  const auto refused = [&](const std::function<void(bdpt_material_desc&)>& change) {
-    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_material(change)) << bdpt_last_error();
-  };
-  refused([](auto& d) { d.type = 4; });
-  refused([](auto& d) { d.type = -1; });
-  refused([](auto& d) { d.reflectance[1] = 1.01f; });
-  refused([](auto& d) { d.reflectance[2] = -0.1f; });
-  refused([](auto& d) { d.reflectance[0] = kNan; });
-  refused([](auto& d) { d.one_sided = 2; });
-  refused([](auto& d) { d.type = BDPT_MATERIAL_DIELECTRIC, d.one_sided = 1; });
-  refused([](auto& d) { d.eta[0] = -1; });
-  refused([](auto& d) { d.k[0] = kInfinity; });
-  refused([](auto& d) { d.type = BDPT_MATERIAL_CONDUCTOR, d.eta[0] = d.eta[1] = 1; });
-  refused([](auto& d) { d.ior = 0.05f; });
-  refused([](auto& d) { d.ior = -1.5f; });
-  refused([](auto& d) { d.ior = 11; });
-  refused([](auto& d) { d.type = BDPT_MATERIAL_DIELECTRIC, d.roughness[0] = 0.5f; });
-  refused([](auto& d) { d.type = BDPT_MATERIAL_DIELECTRIC, d.roughness[1] = 0.5f; });
-  refused([](auto& d) { d.roughness[0] = d.roughness[1] = 1.5f; });
-  refused([](auto& d) { d.emission[0] = -1; });
-  refused([](auto& d) { d.emission[0] = kInfinity; });
-  refused([](auto& d) { d.emission_two_sided = 7; });
-  refused([](auto& d) { d.emission_group = 64; });
-  const bdpt_texture_id texture = add_texture(b_);
-  refused([&](auto& d) { d.type = BDPT_MATERIAL_DIELECTRIC, d.reflectance_texture = texture; });
-}
-
 TEST_F(ApiBuilder, LightsAreChecked) {
   EXPECT_OK(try_light([](bdpt_light_desc&) {}));
   const auto refused = [&](const std::function<void(bdpt_light_desc&)>& change) {
@@ -220,46 +122,6 @@ TEST_F(ApiBuilder, LightsAreChecked) {
   refused([](auto& d) { d.cone_angle = kNan; });
   refused([](auto& d) { d.cone_falloff = 31; });
   refused([](auto& d) { d.cone_falloff = -1; });
-}
-
-TEST_F(ApiBuilder, TexturesAreChecked) {
-  EXPECT_OK(try_texture([](bdpt_texture_desc&) {}));
-  const auto refused = [&](const std::function<void(bdpt_texture_desc&)>& change) {
-    EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_texture(change)) << bdpt_last_error();
-  };
-  refused([](auto& d) { d.channels = 0; });
-  refused([](auto& d) { d.channels = 5; });
-  refused([](auto& d) { d.width = 0; });
-  refused([](auto& d) { d.height = 65537; });
-  refused([](auto& d) { d.pixels = nullptr; });
-  refused([](auto& d) { d.texel = 2; });
-  refused([](auto& d) { d.encoding = 2; });
-  refused([](auto& d) { d.row_stride = 5; });
-  refused([](auto& d) { d.row_stride = ~uint64_t(0); });
-  refused([](auto& d) { d.texel = BDPT_TEXEL_FLOAT, d.row_stride = 26; });
-  refused([](auto& d) { d.texel = BDPT_TEXEL_FLOAT, d.pixels = static_cast<const char*>(d.pixels) + 1; });
-  for (const float bad : {kNan, kInfinity, -0.5f}) {
-    const float pixels[12] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, bad};
-    refused([&](auto& d) { d.texel = BDPT_TEXEL_FLOAT, d.pixels = pixels; });
-  }
-}
-
-TEST_F(ApiBuilder, TextureRowsAreReadToTheLastTexelOnly) {
-  // Two rows of one RGBA texel, 12 bytes apart.
-  const auto pixels = std::make_unique<uint8_t[]>(12 + 4);
-  EXPECT_OK(try_texture([&](bdpt_texture_desc& d) {
-    d.channels = 4, d.width = 1, d.height = 2, d.pixels = pixels.get(), d.row_stride = 12;
-  }));
-}
-
-TEST_F(ApiBuilder, ATextureThatReflectsMoreThanAllIsNoReflectance) {
-  const float pixels[3] = {0, 1.5f, 0};
-  bdpt_texture_desc desc = texture_desc(pixels);
-  desc.texel = BDPT_TEXEL_FLOAT;
-  desc.encoding = BDPT_ENCODING_LINEAR;
-  bdpt_texture_id texture{};
-  ASSERT_OK(bdpt_texture_add(b_, &desc, &texture));
-  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_material([&](bdpt_material_desc& d) { d.reflectance_texture = texture; }));
 }
 
 TEST_F(ApiBuilder, SpheresAreChecked) {
