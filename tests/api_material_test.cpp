@@ -38,7 +38,8 @@ TEST_F(ApiMaterial, EveryRefusalNamesFieldValueAndRemedy) {
   refused({"emission_two_sided", "is 7", "0 or 1"}, [](auto& d) { d.emission_two_sided = 7; });
   refused({"emission_group", "is 64", "from 0 to 63"}, [](auto& d) { d.emission_group = 64; });
   refused({"perceptual_roughness", "is 2", "0 or 1"}, [](auto& d) { d.perceptual_roughness = 2; });
-  refused({"reserved", "is 1", "must be 0"}, [](auto& d) { d.reserved = 1; });
+  refused({"emission_exponent", "is -2", "from -1 to 10000"}, [](auto& d) { d.emission_exponent = -2; });
+  refused({"emission_exponent", "nan", "from -1 to 10000"}, [](auto& d) { d.emission_exponent = kNan; });
 }
 
 TEST_F(ApiMaterial, OpacityIsChecked) {

@@ -114,6 +114,7 @@ TEST_F(ApiSceneHash, ChangesWithEveryNumber) {
   }
   differs("scale", [](auto& e) { e.use.scale = 2; });
   differs("perceptual_roughness", [](auto& e) { e.material.perceptual_roughness = 1; });
+  differs("emission_exponent", [](auto& e) { e.material.emission_exponent = 2; });
   differs("opacity_mode", [](auto& e) { e.material.opacity_mode = BDPT_OPACITY_BLEND; });
   differs("no opacity", [](auto& e) { e.material.opacity_mode = BDPT_OPACITY_OPAQUE; });
   differs("opacity", [](auto& e) { e.material.opacity = 0.5f; });

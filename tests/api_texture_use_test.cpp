@@ -49,6 +49,7 @@ TEST_F(ApiTextureUse, EverySlotIsTakenByWhatHasItsNumber) {
   EXPECT_OK(try_use([](auto& u) { u.slot = BDPT_SLOT_NORMAL, u.scale = -2; }));
   EXPECT_OK(try_use([](auto& u) { u.slot = BDPT_SLOT_BUMP, u.scale = 0.1f, u.channel = 1; }));
   EXPECT_OK(try_use([](auto& u) { u.slot = BDPT_SLOT_OPACITY, u.channel = 3; }, kMask));
+  EXPECT_OK(try_use([](auto& u) { u.slot = BDPT_SLOT_EMISSION; }, [](auto& d) { d.emission[0] = 1; }));
   EXPECT_OK(try_use([](auto& u) { u.level = 16, u.uv_set = 1, u.wrap[0] = u.wrap[1] = BDPT_WRAP_CLAMP; }));
 }
 
@@ -81,6 +82,10 @@ TEST_F(ApiTextureUse, EveryRefusalNamesFieldValueAndRemedy) {
       {"slot", "is NORMAL", "no use for"}, [](auto& u) { u.slot = BDPT_SLOT_NORMAL; }, interface);
   refused(
       {"slot", "is BUMP", "no use for"}, [](auto& u) { u.slot = BDPT_SLOT_BUMP; }, interface);
+  refused(
+      {"slot", "is EMISSION", "no use for"}, [](auto& u) { u.slot = BDPT_SLOT_EMISSION; }, interface);
+  refused({"channel", "is 1", "from 0 to 0"}, [](auto& u) { u.slot = BDPT_SLOT_EMISSION, u.channel = 1; });
+  refused({"scale", "is 2", "EMISSION give 0"}, [](auto& u) { u.slot = BDPT_SLOT_EMISSION, u.scale = 2; });
   refused({"slot", "is OPACITY", "choose MASK or BLEND"}, [](auto& u) { u.slot = BDPT_SLOT_OPACITY; });
   refused({"wrap[0]", "is 3", "0 to 2"}, [](auto& u) { u.wrap[0] = 3; });
   refused({"wrap[1]", "is -1", "0 to 2"}, [](auto& u) { u.wrap[1] = -1; });
@@ -121,6 +126,9 @@ TEST_F(ApiTextureUse, WhatReflectsMoreThanAllIsRefusedWhereThatCounts) {
   expect_refused(try_material([&](auto& d) { d.reflectance_texture = texture; }),
                  {"reflectance_texture of material \"grey\"", "up to 1.5", "at most 1"});
   EXPECT_OK(try_use(use(BDPT_SLOT_BUMP)));
+  EXPECT_OK(try_use(use(BDPT_SLOT_EMISSION), [](auto& d) { d.emission[0] = 1; }));
+  expect_refused(try_use(use(BDPT_SLOT_EMISSION), [](auto& d) { d.emission[0] = 3e38f; }),
+                 {"texture of the textures[0]", "up to 1.5", "no finite number", "give less"});
 }
 
 TEST_F(ApiTextureUse, EachSlotIsGivenOnce) {

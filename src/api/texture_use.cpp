@@ -32,7 +32,7 @@ constexpr SlotKind kSlots[] = {
     {"NORMAL", Slot::Normal, false, false, true, kSurfaces},
     {"BUMP", Slot::Bump, true, false, true, kSurfaces},
     {"OPACITY", Slot::Reflectance, true, true, false, kAll},
-    {"EMISSION", Slot::Emission, false, false, false, kAll},
+    {"EMISSION", Slot::Emission, false, false, false, kSurfaces},
 };
 
 UvMap read_uv(const Subject& subject, const bdpt_texture_use& desc) {
