@@ -387,7 +387,7 @@ typedef struct bdpt_texture_desc {
   uint64_t row_stride;    /* bytes; 0 = packed */
   bdpt_texel texel;
   bdpt_encoding encoding;
-  uint32_t mip_levels;    /* at most so many, the image being one; each halves the one before. 0 = 1 */
+  uint32_t mip_levels;    /* at most so many, up to 17, the image being one; each halves the one before. 0 = 1 */
   uint32_t reserved;
   const char *color_space; /* of the texels, but for alpha, instead of encoding, which must then be 0: they are converted
                               to the rendering space and kept as floats. NULL: by encoding; SRGB of three colours is then
@@ -490,7 +490,7 @@ typedef struct bdpt_texture_use {
   float transform[6];      /* rows of a matrix: u' = t0 u + t1 v + t2, v' = t3 u + t4 v + t5, invertible; six zeros = identity */
   bdpt_wrap wrap[2];       /* of u and v */
   bdpt_lookup lookup;
-  float level;             /* mip level, >= 0; between two levels both are mixed; beyond the last it is the last */
+  float level;             /* mip level, [0,16]; between two levels both are mixed; beyond the last it is the last */
   float scale;             /* of normal and bump; 0 = 1 */
   uint32_t reserved;
 } bdpt_texture_use;

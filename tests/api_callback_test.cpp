@@ -175,11 +175,13 @@ TEST_F(ApiCallback, InsideABuildTheBuilderIsClosed) {
     const bdpt_sphere_desc sphere = make<bdpt_sphere_desc>();
     const bdpt_texture_desc texture = make<bdpt_texture_desc>();
     const bdpt_material_desc material = grey_desc();
+    const bdpt_medium_desc medium = make<bdpt_medium_desc>();
     const bdpt_light_desc light = make<bdpt_light_desc>();
     const bdpt_instance_desc instance = instance_desc(c.square, c.grey);
     bdpt_shape_id shape{};
     bdpt_texture_id texture_id{};
     bdpt_material_id material_id{};
+    bdpt_medium_id medium_id{};
     bdpt_light_id light_id{};
     bdpt_instance_id instance_id{};
     bdpt_scene* scene = nullptr;
@@ -191,6 +193,9 @@ TEST_F(ApiCallback, InsideABuildTheBuilderIsClosed) {
     reentrant(bdpt_material_add(b, &material, &material_id));
     reentrant(bdpt_material_update(b, c.grey, &material));
     reentrant(bdpt_material_remove(b, c.grey));
+    reentrant(bdpt_medium_add(b, &medium, &medium_id));
+    reentrant(bdpt_medium_update(b, medium_id, &medium));
+    reentrant(bdpt_medium_remove(b, medium_id));
     reentrant(bdpt_light_add(b, &light, &light_id));
     reentrant(bdpt_light_update(b, light_id, &light));
     reentrant(bdpt_light_remove(b, light_id));

@@ -1,5 +1,5 @@
 // However a mesh is laid out in memory, it is the same mesh.
-#include "api_scene.h"
+#include "api_builder.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -145,6 +145,70 @@ TEST(ApiMesh, TrianglesWithoutAreaAreDroppedAndCounted) {
   EXPECT_EQ(2u, info.instances);
   EXPECT_EQ(4u, info.triangles);
   EXPECT_EQ(4u, info.degenerate_triangles);
+}
+
+TEST(ApiMesh, ColorsAndTangentsAreTheSameInEveryLayout) {
+  const float rgba[4][4] = {{1, 0.5f, 0, 1}, {0, 1, 0.25f, 1}, {0.5f, 0.5f, 1, 1}, {0, 0, 0, 1}};
+  const float tangents[4][4] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 2, -1}, {0, 0, 2, -1}};
+  float rgb[4][3];
+  for (int i = 0; i < 4; ++i) std::memcpy(rgb[i], rgba[i], sizeof rgb[i]);
+  bdpt_mesh_desc desc = square_desc();
+  desc.colors = view(rgba, 4, BDPT_FORMAT_FLOAT4);
+  desc.tangents = view(tangents, 4, BDPT_FORMAT_FLOAT4);
+  const Result expected = picture(desc);
+  EXPECT_NE(picture(square_desc()).pixels, expected.pixels);
+  for (const bdpt_ownership ownership : {BDPT_OWNERSHIP_COPY, BDPT_OWNERSHIP_BORROW}) {
+    for (const size_t stride : {16, 20, 64}) {
+      const Strided colors(rgba, 4, 16, stride), directions(tangents, 4, 16, stride);
+      desc.colors = view(colors.data(), 4, BDPT_FORMAT_FLOAT4);
+      desc.tangents = view(directions.data(), 4, BDPT_FORMAT_FLOAT4);
+      desc.colors.ownership = desc.tangents.ownership = ownership;
+      desc.colors.stride = desc.tangents.stride = stride;
+      EXPECT_EQ(expected, picture(desc)) << ownership << ' ' << stride;
+    }
+    for (const size_t stride : {12, 16, 28}) {
+      const Strided colors(rgb, 4, 12, stride);
+      desc.colors = view(colors.data(), 4, BDPT_FORMAT_FLOAT3);
+      desc.colors.ownership = ownership;
+      desc.colors.stride = stride;
+      desc.tangents = view(tangents, 4, BDPT_FORMAT_FLOAT4);
+      EXPECT_EQ(expected, picture(desc)) << ownership << ' ' << stride;
+    }
+  }
+}
+
+TEST(ApiMesh, ErrorsOfColorsAndTangentsNameTheElement) {
+  const Context context = make_context();
+  const Builder builder = make_builder(context.get());
+  float colors[4][4] = {}, tangents[4][4] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}};
+  const auto refused = [&](std::initializer_list<const char*> parts, auto&& change) {
+    bdpt_mesh_desc desc = square_desc();
+    desc.colors = view(colors, 4, BDPT_FORMAT_FLOAT4);
+    desc.tangents = view(tangents, 4, BDPT_FORMAT_FLOAT4);
+    bdpt_shape_id shape{};
+    EXPECT_OK(bdpt_mesh_add(builder.get(), &desc, &shape));
+    const float first = colors[2][3], direction = tangents[2][0], sign = tangents[2][3];
+    change(desc);
+    expect_refused(bdpt_mesh_add(builder.get(), &desc, &shape), parts);
+    expect_refused(BDPT_ERROR_INVALID_ARGUMENT, {"bdpt_mesh_add", "mesh \"square\""});
+    colors[2][3] = first, tangents[2][0] = direction, tangents[2][3] = sign;
+  };
+  refused({"colors.count", "is 3", "as many as positions (4)"}, [](auto& d) { d.colors.count = 3; });
+  refused({"colors.count", "18446744073709551615", "at most"}, [](auto& d) { d.colors.count = ~uint64_t(0); });
+  refused({"colors.format", "is 1", "something else"}, [](auto& d) { d.colors.format = BDPT_FORMAT_FLOAT2; });
+  refused({"colors.stride", "is 12", "multiple of 4 from 16"}, [](auto& d) { d.colors.stride = 12; });
+  refused({"colors.stride", "is 18", "multiple of 4 from 16"}, [](auto& d) { d.colors.stride = 18; });
+  refused({"colors.data", "is NULL"}, [](auto& d) { d.colors.data = nullptr; });
+  refused({"colors", "1.5 in element 2", "[0,1]"}, [&](auto&) { colors[2][3] = 1.5f; });
+  refused({"colors", "-1 in element 2", "[0,1]"}, [&](auto&) { colors[2][3] = -1; });
+  refused({"colors", "nan in element 2", "finite"}, [&](auto&) { colors[2][3] = std::nanf(""); });
+  refused({"tangents.count", "is 1", "as many as positions (4)"}, [](auto& d) { d.tangents.count = 1; });
+  refused({"tangents.format", "is 2", "something else"}, [](auto& d) { d.tangents.format = BDPT_FORMAT_FLOAT3; });
+  refused({"tangents.data", "align it to 4"},
+          [](auto& d) { d.tangents.data = static_cast<const char*>(d.tangents.data) + 2; });
+  refused({"tangents", "in element 2", "any length but zero"}, [&](auto&) { tangents[2][0] = 0; });
+  refused({"tangents", "0.5) in element 2", "sign of 1 or -1"}, [&](auto&) { tangents[2][3] = 0.5f; });
+  refused({"tangents", "inf in element 2", "finite"}, [&](auto&) { tangents[2][0] = INFINITY; });
 }
 
 TEST(ApiMesh, AnErrorNamesFunctionFieldObjectAndValue) {

@@ -70,6 +70,7 @@ TEST(ApiNull, BuilderCallsRefuseIt) {
   bdpt_texture_desc texture = make<bdpt_texture_desc>();
   texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;
   const bdpt_material_desc material = grey_desc();
+  const bdpt_medium_desc medium = make<bdpt_medium_desc>();
   bdpt_light_desc light = make<bdpt_light_desc>();
   const bdpt_instance_desc instance = instance_desc(add_square(builder.get()), add_grey(builder.get()));
 
@@ -86,8 +87,17 @@ TEST(ApiNull, BuilderCallsRefuseIt) {
   check(bdpt_sphere_add, sphere, bdpt_shape_id{});
   check(bdpt_texture_add, texture, bdpt_texture_id{});
   check(bdpt_material_add, material, bdpt_material_id{});
+  check(bdpt_medium_add, medium, bdpt_medium_id{});
   check(bdpt_light_add, light, bdpt_light_id{});
   check(bdpt_instance_add, instance, bdpt_instance_id{});
+
+  bdpt_material_desc uses = grey_desc();
+  uses.texture_count = 1;
+  bdpt_material_id id{};
+  EXPECT_INVALID(bdpt_material_add(builder.get(), &uses, &id));
+  texture.pixels = nullptr;
+  bdpt_texture_id texture_id{};
+  EXPECT_INVALID(bdpt_texture_add(builder.get(), &texture, &texture_id));
 }
 
 TEST(ApiNull, UpdatesAndRemovalsRefuseIt) {
@@ -106,6 +116,10 @@ TEST(ApiNull, UpdatesAndRemovalsRefuseIt) {
   EXPECT_INVALID(bdpt_metal_find(nullptr, eta, k));
   EXPECT_INVALID(bdpt_metal_find("Au", nullptr, k));
   EXPECT_INVALID(bdpt_metal_find("Au", eta, nullptr));
+  const bdpt_medium_desc medium = make<bdpt_medium_desc>();
+  EXPECT_INVALID(bdpt_medium_update(nullptr, {1}, &medium));
+  EXPECT_INVALID(bdpt_medium_update(builder.get(), {1}, nullptr));
+  EXPECT_INVALID(bdpt_medium_remove(nullptr, {1}));
   EXPECT_INVALID(bdpt_light_update(nullptr, {1}, &light));
   EXPECT_INVALID(bdpt_light_update(builder.get(), {1}, nullptr));
   EXPECT_INVALID(bdpt_light_remove(nullptr, {1}));

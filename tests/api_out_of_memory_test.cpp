@@ -88,6 +88,9 @@ TEST(ApiOutOfMemory, ABuilderStaysAsItWas) {
   mesh.positions.ownership = BDPT_OWNERSHIP_BORROW;
   mesh.positions.user = &released;
   mesh.positions.release = [](void* user, const void*) { ++*static_cast<int*>(user); };
+  const float colors[4][4] = {}, tangents[4][4] = {{1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}};
+  mesh.colors = view(colors, 4, BDPT_FORMAT_FLOAT4);
+  mesh.tangents = view(tangents, 4, BDPT_FORMAT_FLOAT4);
   bdpt_shape_id shape{};
   EXPECT_GT(fail_each_allocation([&] {
               ++calls;
@@ -104,9 +107,21 @@ TEST(ApiOutOfMemory, ABuilderStaysAsItWas) {
   bdpt_texture_id texture_id{};
   EXPECT_GT(fail_each_allocation([&] { return bdpt_texture_add(b, &texture, &texture_id); }), 0);
 
+  bdpt_medium_desc medium = make<bdpt_medium_desc>();
+  medium.label = "a label that is too long to be kept without an allocation";
+  bdpt_medium_id medium_id{};
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_medium_add(b, &medium, &medium_id); }), 0);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_medium_update(b, medium_id, &medium); }), 0);
+
+  bdpt_texture_use uses[2] = {make<bdpt_texture_use>(), make<bdpt_texture_use>()};
+  uses[0].slot = BDPT_SLOT_NORMAL, uses[1].slot = BDPT_SLOT_OPACITY;
+  uses[0].texture = uses[1].texture = texture_id;
   bdpt_material_desc material = grey_desc();
-  material.label = "a label that is too long to be kept without an allocation";
-  material.reflectance_texture = texture_id;
+  material.label = medium.label;
+  material.type = BDPT_MATERIAL_DIELECTRIC;
+  material.textures = uses, material.texture_count = 2;
+  material.opacity_mode = BDPT_OPACITY_BLEND;
+  material.interior = medium_id;
   bdpt_material_id material_id{};
   EXPECT_GT(fail_each_allocation([&] { return bdpt_material_add(b, &material, &material_id); }), 0);
   EXPECT_GT(fail_each_allocation([&] { return bdpt_material_update(b, material_id, &material); }), 0);
@@ -125,6 +140,7 @@ TEST(ApiOutOfMemory, ABuilderStaysAsItWas) {
   EXPECT_OK(bdpt_light_remove(b, light_id));
   EXPECT_OK(bdpt_instance_remove(b, instance_id));
   EXPECT_OK(bdpt_material_remove(b, material_id));
+  EXPECT_OK(bdpt_medium_remove(b, medium_id));
   EXPECT_OK(bdpt_texture_remove(b, texture_id));
   EXPECT_EQ(memory, memory_in_use(world.context.get()));
   EXPECT_EQ(before, scene_hash(build(b).get()));

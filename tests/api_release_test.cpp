@@ -9,10 +9,12 @@ namespace {
 
 // A mesh of one triangle in blocks of exactly its size, each view with a release that counts.
 struct LentMesh {
-  std::array<int, 5> released{};
+  std::array<int, 7> released{};
   std::unique_ptr<float[]> positions{new float[9]{0, 0, 0, 1, 0, 0, 0, 1, 0}};
   std::unique_ptr<float[]> normals{new float[9]{0, 0, 1, 0, 0, 1, 0, 0, 1}};
   std::unique_ptr<float[]> uv{new float[6]{0, 0, 1, 0, 0, 1}};
+  std::unique_ptr<float[]> colors{new float[12]{1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
+  std::unique_ptr<float[]> tangents{new float[12]{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1}};
   std::unique_ptr<uint32_t[]> indices{new uint32_t[3]{0, 1, 2}};
   bdpt_mesh_desc desc = make<bdpt_mesh_desc>();
 
@@ -21,8 +23,11 @@ struct LentMesh {
     desc.indices = view(indices.get(), 1, BDPT_FORMAT_UINT32X3);
     desc.normals = view(normals.get(), 3, BDPT_FORMAT_FLOAT3);
     desc.uv[0] = desc.uv[1] = view(uv.get(), 3, BDPT_FORMAT_FLOAT2);
-    bdpt_data* views[] = {&desc.positions, &desc.indices, &desc.normals, &desc.uv[0], &desc.uv[1]};
-    for (size_t i = 0; i < 5; ++i) {
+    desc.colors = view(colors.get(), 3, BDPT_FORMAT_FLOAT4);
+    desc.tangents = view(tangents.get(), 3, BDPT_FORMAT_FLOAT4);
+    bdpt_data* views[] = {&desc.positions, &desc.indices, &desc.normals, &desc.uv[0],
+                          &desc.uv[1],     &desc.colors,  &desc.tangents};
+    for (size_t i = 0; i < 7; ++i) {
       views[i]->ownership = ownership;
       views[i]->user = &released[i];
       views[i]->release = [](void* user, const void*) { ++*static_cast<int*>(user); };
@@ -31,7 +36,7 @@ struct LentMesh {
   bdpt_result add(bdpt_builder* builder, bdpt_shape_id* shape) const { return bdpt_mesh_add(builder, &desc, shape); }
 };
 
-constexpr std::array<int, 5> kNone{}, kOnce{1, 1, 1, 1, 1};
+constexpr std::array<int, 7> kNone{}, kOnce{1, 1, 1, 1, 1, 1, 1};
 
 TEST(ApiRelease, CopiedDataIsReleasedDuringTheCall) {
   const Context context = make_context();
@@ -49,13 +54,13 @@ TEST(ApiRelease, BorrowedDataIsReleasedWhenTheLastUserIsGone) {
   bdpt_shape_id shape{};
   ASSERT_OK(mesh.add(builder.get(), &shape));
   // Indices without slack behind them were copied; the rest is still lent.
-  EXPECT_EQ((std::array<int, 5>{0, 1, 0, 0, 0}), mesh.released);
+  EXPECT_EQ((std::array<int, 7>{0, 1, 0, 0, 0, 0, 0}), mesh.released);
   const bdpt_instance_id instance = add_instance(builder.get(), shape, add_grey(builder.get()));
   Scene scene = build(builder.get());
   ASSERT_OK(bdpt_instance_remove(builder.get(), instance));
   ASSERT_OK(bdpt_shape_remove(builder.get(), shape));
   builder.reset();
-  EXPECT_EQ((std::array<int, 5>{0, 1, 0, 0, 0}), mesh.released);
+  EXPECT_EQ((std::array<int, 7>{0, 1, 0, 0, 0, 0, 0}), mesh.released);
   scene.reset();
   EXPECT_EQ(kOnce, mesh.released);
 }
@@ -146,6 +151,22 @@ TEST(ApiRelease, EveryFailureReleasesEveryViewOnce) {
   check(
       "NaN normal", [](LentMesh& m) { m.normals[8] = kNan; }, builder);
   check(
+      "colors", [](LentMesh& m) { m.desc.colors.count = 2; }, builder);
+  check(
+      "colors of two floats", [](LentMesh& m) { m.desc.colors.format = BDPT_FORMAT_FLOAT2; }, builder);
+  check(
+      "NaN color", [](LentMesh& m) { m.colors[11] = kNan; }, builder);
+  check(
+      "color above 1", [](LentMesh& m) { m.colors[3] = 1.5f; }, builder);
+  check(
+      "tangents", [](LentMesh& m) { m.desc.tangents.count = 1; }, builder);
+  check(
+      "tangents of three floats", [](LentMesh& m) { m.desc.tangents.format = BDPT_FORMAT_FLOAT3; }, builder);
+  check(
+      "zero tangent", [](LentMesh& m) { m.tangents[8] = 0; }, builder);
+  check(
+      "sign of a tangent", [](LentMesh& m) { m.tangents[11] = 0.5f; }, builder);
+  check(
       "zero normal", [](LentMesh& m) { m.normals[8] = 0; }, builder);
 }
 
@@ -171,6 +192,30 @@ TEST(ApiRelease, AnAbsentViewIsReleasedToo) {
   bdpt_shape_id shape{};
   ASSERT_OK(mesh.add(builder.get(), &shape));
   EXPECT_EQ(1, mesh.released[4]);
+}
+
+// Colours of three floats are copied, those of four stay lent.
+TEST(ApiRelease, ColorsThatAreCopiedAllTheSameAreReleasedAtOnce) {
+  const Context context = make_context();
+  const Builder builder = make_builder(context.get());
+  LentMesh mesh(BDPT_OWNERSHIP_BORROW);
+  mesh.desc.colors.format = BDPT_FORMAT_FLOAT3;
+  bdpt_shape_id shape{};
+  ASSERT_OK(mesh.add(builder.get(), &shape));
+  EXPECT_EQ((std::array<int, 7>{0, 1, 0, 0, 0, 1, 0}), mesh.released);
+  ASSERT_OK(bdpt_shape_remove(builder.get(), shape));
+  EXPECT_EQ(kOnce, mesh.released);
+}
+
+// The fields behind version 1 are not there, whatever the memory behind it holds.
+TEST(ApiRelease, AnOlderCallersStructHasNoColorsToRelease) {
+  const Context context = make_context();
+  const Builder builder = make_builder(context.get());
+  LentMesh mesh(BDPT_OWNERSHIP_COPY);
+  mesh.desc.struct_size = 296;
+  bdpt_shape_id shape{};
+  ASSERT_OK(mesh.add(builder.get(), &shape));
+  EXPECT_EQ((std::array<int, 7>{1, 1, 1, 1, 1, 0, 0}), mesh.released);
 }
 
 TEST(ApiRelease, TheMemoryLimitReleasesToo) {

@@ -7,7 +7,7 @@
 #define HOLDS(name, condition) typedef char name[(condition) ? 1 : -1]
 
 HOLDS(ids_are_64_bits, sizeof(bdpt_shape_id) == 8 && sizeof(bdpt_texture_id) == 8 && sizeof(bdpt_material_id) == 8 &&
-                           sizeof(bdpt_light_id) == 8 && sizeof(bdpt_instance_id) == 8);
+                           sizeof(bdpt_light_id) == 8 && sizeof(bdpt_instance_id) == 8 && sizeof(bdpt_medium_id) == 8);
 HOLDS(enums_are_32_bits, sizeof(bdpt_result) == 4 && sizeof(bdpt_view) == 4 && sizeof(bdpt_layer) == 4);
 
 /* Every struct that is passed by pointer begins with its size. */
@@ -20,6 +20,8 @@ HOLDS(progress_size_first, offsetof(bdpt_progress, struct_size) == 0);
 HOLDS(mesh_desc_size_first, offsetof(bdpt_mesh_desc, struct_size) == 0);
 HOLDS(sphere_desc_size_first, offsetof(bdpt_sphere_desc, struct_size) == 0);
 HOLDS(texture_desc_size_first, offsetof(bdpt_texture_desc, struct_size) == 0);
+HOLDS(texture_use_size_first, offsetof(bdpt_texture_use, struct_size) == 0);
+HOLDS(medium_desc_size_first, offsetof(bdpt_medium_desc, struct_size) == 0);
 HOLDS(material_desc_size_first, offsetof(bdpt_material_desc, struct_size) == 0);
 HOLDS(light_desc_size_first, offsetof(bdpt_light_desc, struct_size) == 0);
 HOLDS(instance_desc_size_first, offsetof(bdpt_instance_desc, struct_size) == 0);
@@ -48,6 +50,12 @@ HOLDS(lightmap_encode_desc_size_first, offsetof(bdpt_lightmap_encode_desc, struc
 HOLDS(lightmap_encode_report_size_first, offsetof(bdpt_lightmap_encode_report, struct_size) == 0);
 HOLDS(display_desc_size_first, offsetof(bdpt_display_desc, struct_size) == 0);
 HOLDS(exr_desc_size_first, offsetof(bdpt_exr_desc, struct_size) == 0);
+
+/* What version 1 did not have follows it, without a hole. */
+HOLDS(mesh_desc_grows_at_its_end, offsetof(bdpt_mesh_desc, colors) == 296);
+HOLDS(texture_desc_grows_at_its_end, offsetof(bdpt_texture_desc, mip_levels) == 48);
+HOLDS(material_desc_grows_at_its_end, offsetof(bdpt_material_desc, textures) == 96);
+HOLDS(build_desc_grows_at_its_end, offsetof(bdpt_build_desc, medium) == 32);
 
 /* Results go into variables of the header's own types, without a cast. */
 bdpt_result check(bdpt_context **context);

@@ -70,6 +70,9 @@ void check_type(const Subject& subject, const bdpt_material_desc& desc) {
     subject.refuse("interior", "is set, but no light passes the surface: set it to zero");
   if (!encloses && desc.priority != 0)
     subject.refuse("priority", "is ", desc.priority, ", but no light passes the surface: set it to 0");
+  for (int i = 0; desc.type == BDPT_MATERIAL_INTERFACE && i < 3; ++i)
+    if (desc.emission[i] > 0)
+      subject.refuse("emission", "is set, but nothing is to be seen of an interface: set it to zero");
   if (!has_reflectance(desc.type) && desc.reflectance_texture.id != 0)
     subject.refuse("reflectance_texture",
                    "is set, but conductors, dielectrics, interfaces and mixes have no reflectance: set it to zero");

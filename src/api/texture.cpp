@@ -38,9 +38,7 @@ class TextureReader {
   }
 
   TextureEntry read(const std::shared_ptr<MemoryMeter>& meter) const {
-    const uint32_t levels = std::max(desc_.mip_levels, 1u);
-    Booking booking(meter, Texture::memory(desc_.width, desc_.height, desc_.channels, kept_format(), levels),
-                    subject_.name().c_str());
+    Booking booking(meter, kept_size(), subject_.name().c_str());
     TextureEntry entry;
     TextureImage texels;
     if (is_converted()) {
@@ -49,7 +47,7 @@ class TextureReader {
       entry.maximum = is_real() ? check_values() : 1;
       texels = image();
     }
-    auto booked = std::make_shared<const BookedTexture>(std::move(booking), Texture(std::move(texels), levels));
+    auto booked = std::make_shared<const BookedTexture>(std::move(booking), Texture(std::move(texels), levels()));
     entry.texture = std::shared_ptr<const Texture>(booked, &booked->texture);
     return entry;
   }
@@ -66,6 +64,11 @@ class TextureReader {
   TexelFormat kept_format() const {
     if (is_converted()) return TexelFormat::Float;
     return is_srgb() && format() != TexelFormat::Uint8 ? TexelFormat::Float : format();
+  }
+  uint32_t levels() const { return std::max(desc_.mip_levels, 1u); }
+  // Of all levels, for which room is made at once.
+  uint64_t kept_size() const {
+    return Texture::memory(desc_.width, desc_.height, desc_.channels, kept_format(), levels());
   }
   uint32_t texel_size() const { return bytes_of(format()); }
   uint64_t row_size() const { return uint64_t(desc_.width) * desc_.channels * texel_size(); }
@@ -141,7 +144,7 @@ TextureImage TextureReader::image() const {
   image.format = kept_format();
   image.srgb = is_srgb();
   const uint64_t row_texels = uint64_t(desc_.width) * desc_.channels;
-  image.texels.reserve(row_texels * desc_.height * bytes_of(image.format));
+  image.texels.reserve(kept_size());
   const bool has_alpha = desc_.channels % 2 == 0;
   for (uint32_t y = 0; y < desc_.height; ++y) {
     if (image.format == format()) {
@@ -169,7 +172,11 @@ void TextureReader::convert_row(uint32_t y, std::vector<float>& colors) const {
       if (!std::isfinite(colors.back()))
         subject_.refuse("pixels", "has the value ", colors.back(), " at (", x, ", ", y, "): give finite values");
     }
-  context_.colors->convert(space, {}, colors.data(), desc_.width);
+  try {
+    context_.colors->convert(space, {}, colors.data(), desc_.width);
+  } catch (const Error& error) {
+    fail(error.code(), "color_space of ", subject_.name(), ": ", error.what());
+  }
   constexpr float kGrey = 1e-3f;
   for (uint32_t x = 0; x < desc_.width; ++x) {
     const float* v = &colors[uint64_t(3) * x];
@@ -185,7 +192,7 @@ TextureImage TextureReader::converted_image(float& maximum) const {
   constexpr float kRounding = 1e-5f;  // of matrices and tables
   const uint32_t channels = desc_.channels, color_channels = channels < 3 ? 1 : 3;
   TextureImage image{subject_.label(), desc_.width, desc_.height, channels, TexelFormat::Float, false, {}};
-  image.texels.reserve(uint64_t(desc_.width) * desc_.height * channels * sizeof(float));
+  image.texels.reserve(kept_size());
   uint64_t outside = 0;
   float lowest = 0;
   const auto keep = [&](float v) {

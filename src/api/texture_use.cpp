@@ -24,6 +24,7 @@ struct SlotKind {
 
 constexpr uint32_t kAll = ~0u;
 constexpr uint32_t bit(bdpt_material_type type) { return 1u << type; }
+constexpr uint32_t kSurfaces = kAll & ~bit(BDPT_MATERIAL_INTERFACE);
 constexpr uint32_t kPrincipled = bit(BDPT_MATERIAL_PRINCIPLED);
 
 // In the order of bdpt_slot; opacity has no Slot of its own.
@@ -34,10 +35,10 @@ constexpr SlotKind kSlots[] = {
     {"ROUGHNESS", Slot::Roughness, true, true, false,
      bit(BDPT_MATERIAL_CONDUCTOR) | bit(BDPT_MATERIAL_DIELECTRIC) | bit(BDPT_MATERIAL_COATED_DIFFUSE) |
          bit(BDPT_MATERIAL_COATED_CONDUCTOR) | kPrincipled | bit(BDPT_MATERIAL_HOST)},
-    {"NORMAL", Slot::Normal, false, false, true, kAll},
-    {"BUMP", Slot::Bump, true, false, true, kAll},
+    {"NORMAL", Slot::Normal, false, false, true, kSurfaces},
+    {"BUMP", Slot::Bump, true, false, true, kSurfaces},
     {"OPACITY", Slot::Reflectance, true, true, false, kAll},
-    {"EMISSION", Slot::Emission, false, false, false, kAll},
+    {"EMISSION", Slot::Emission, false, false, false, kSurfaces},
     {"DIFFUSE_ROUGHNESS", Slot::DiffuseRoughness, true, true, false,
      bit(BDPT_MATERIAL_DIFFUSE) | bit(BDPT_MATERIAL_COATED_DIFFUSE) | kPrincipled},
     {"TRANSMITTANCE", Slot::Transmittance, false, true, false, bit(BDPT_MATERIAL_DIFFUSE_TRANSMISSION) | kPrincipled},
@@ -101,7 +102,7 @@ class UseReader {
     if (use.slot == BDPT_SLOT_DIFFUSE_ROUGHNESS && desc_.diffuse_roughness == 0)
       subject.refuse("slot", "is DIFFUSE_ROUGHNESS, which multiplies the material's, and that is 0: set it");
     TextureUse result;
-    result.texture = add(use.texture.id, subject, kind);
+    result.texture = add(use.texture.id, subject, "texture", kind);
     result.slot = kind.slot;
     result.channel = uint8_t(use.channel);
     result.squared = is_alpha(use.slot) && desc_.perceptual_roughness;
@@ -126,16 +127,16 @@ class UseReader {
     if (taken_ & 1u)
       material_.refuse("reflectance_texture", "is set beside a use of slot REFLECTANCE: give one of them");
     TextureUse use;
-    use.texture = add(desc_.reflectance_texture.id, material_, kSlots[BDPT_SLOT_REFLECTANCE]);
+    use.texture = add(desc_.reflectance_texture.id, material_, "reflectance_texture", kSlots[BDPT_SLOT_REFLECTANCE]);
     entry_.material.reflectance = Rgb(1);
     entry_.material.textures.push_back(use);
   }
 
  private:
-  int add(uint64_t id, const Subject& subject, const SlotKind& kind) {
-    const TextureEntry& texture = builder_.textures.at(id, (subject.name() + ".texture").c_str());
+  int add(uint64_t id, const Subject& subject, const char* field, const SlotKind& kind) {
+    const TextureEntry& texture = builder_.textures.at(id, (field + (" of " + subject.name())).c_str());
     if (kind.is_bounded && texture.maximum > 1)
-      subject.refuse("texture", "has texels up to ", texture.maximum, " for slot ", kind.name,
+      subject.refuse(field, "has texels up to ", texture.maximum, " for slot ", kind.name,
                      ": a surface reflects no more than it receives; scale them to at most 1");
     if (kind.slot == Slot::Emission && !std::isfinite(norm(to_rgb(desc_.emission)) * texture.maximum))
       subject.refuse("texture", "has texels up to ", texture.maximum,
@@ -160,7 +161,10 @@ void read_texture_uses(bdpt_builder& builder, const Subject& material, const bdp
   if (desc.texture_count > 0) {
     require(desc.textures, "desc.textures");
     check_stride(material, "texture_stride", desc.texture_stride, kVersion1Size<bdpt_texture_use>, 8);
-    const uint32_t stride = desc.texture_stride ? desc.texture_stride : desc.textures->struct_size;
+    const uint32_t stride =
+        desc.texture_stride ? desc.texture_stride : read_struct(desc.textures, "textures[0]").struct_size;
+    if (stride % 8 != 0)
+      material.refuse("texture_stride", "is 0 and struct_size of the first use ", stride, ": give a multiple of 8");
     for (uint32_t i = 0; i < desc.texture_count; ++i) {
       const std::string name = "textures[" + std::to_string(i) + "]";
       reader.read(read_struct(&element(desc.textures, i, stride), name.c_str()),

@@ -31,9 +31,10 @@ uint32_t wrap(int64_t i, uint32_t n, TextureWrap wrap) {
   return uint32_t(i < side ? i : 2 * side - 1 - i);
 }
 
-// Where a coordinate lies among the texels: large numbers are brought near first, so that no digit is lost.
+// Where a coordinate lies among the texels: large numbers are brought near first, so that no digit is lost. One that
+// overflowed on its way here lies nowhere, so at 0.
 double place(float coordinate, uint32_t n, TextureWrap wrap) {
-  double c = double(coordinate);
+  double c = std::isfinite(coordinate) ? double(coordinate) : 0;
   if (wrap == TextureWrap::Clamp)
     c = std::clamp(c, -1.0, 2.0);
   else
