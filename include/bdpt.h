@@ -686,10 +686,15 @@ typedef struct bdpt_instance_desc {
   bdpt_shape_id shape;
   bdpt_material_id material;
   float transform[12]; /* object to world, invertible; twelve zeros = identity */
+  float end_transform[12]; /* the same when the shutter closes, transform being that when it opens: between, all points
+                              move on straight lines, the matrix being interpolated element by element, as in Embree; so
+                              it must not turn by 180 degrees, and what turns by more than a few degrees gets smaller
+                              meanwhile. Twelve zeros: it does not move. Not for what emits. A sample has one time, for
+                              both of its subpaths; plans whose samples share light vertices have one time a pass */
 } bdpt_instance_desc;
 
 /* Places a shape, with a material, in the world.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (a transform that is singular or not finite, or that makes an ellipsoid of a
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (a transform that is singular at any time or not finite, or that makes an ellipsoid of a
  * sphere; invisible is neither 0 nor 1), _INVALID_ID, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for
  * the builder in use. Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_instance_add(bdpt_builder *builder, const bdpt_instance_desc *desc, bdpt_instance_id *instance);
@@ -812,6 +817,8 @@ typedef struct bdpt_camera_desc {
   uint32_t lens_surface_count;             /* LENS: 1 to 64 */
   uint32_t lens_surface_stride;            /* bytes from one to the next; 0 = sizeof(bdpt_lens_surface) */
   const bdpt_lens_surface *lens_surfaces;  /* LENS: from the scene to the film; copied */
+  float end_transform[12];  /* like transform, when the shutter closes: between, the camera moves and turns evenly. Twelve
+                               zeros: it does not move */
 } bdpt_camera_desc;
 
 /* Creates a camera. A pixel measures the radiance that arrives, averaged by the filter, and over the lens. With

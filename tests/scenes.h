@@ -257,6 +257,12 @@ class Builder {
     desc_.instances.push_back(instance);
     return *this;
   }
+  // The instance added last goes on to there until the shutter closes.
+  Builder& moving(const Transform& end) {
+    desc_.instances.back().moves = true;
+    desc_.instances.back().end = end;
+    return *this;
+  }
   // The instance added last.
   Builder& invisible() {
     desc_.instances.back().invisible = true;

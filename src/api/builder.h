@@ -54,7 +54,8 @@ struct LightEntry {
 struct InstanceEntry {
   std::string label;
   uint64_t shape = 0, material = 0;  // ids
-  Transform transform;
+  Transform transform = {}, end = {};  // end: at time 1, of what moves
+  bool moves = false;
   bool invisible = false;
 };
 

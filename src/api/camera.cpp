@@ -28,16 +28,25 @@ void read_size(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc&
   std::copy(corners, corners + 4, camera.crop);
 }
 
-void read_place(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc& camera) {
-  const Transform transform = read_transform(subject, desc.transform);
+Transform read_frame(const Subject& subject, const char* field, const float m[12]) {
+  const Transform transform = read_transform(subject, m, field);
   if (uniform_scale(transform) == 0)
-    subject.refuse("transform",
+    subject.refuse(field,
                    "shears or scales unevenly: its columns must be orthogonal and of equal length, within a "
                    "thousandth");
-  camera.transform = without_scale(transform);
   for (int i = 3; i < 12; i += 4)
     if (std::fabs(transform.m[i]) > kMaxCoordinate)
-      subject.refuse("transform", "moves the camera to ", transform.m[i], ": keep it within ", kMaxCoordinate);
+      subject.refuse(field, "moves the camera to ", transform.m[i], ": keep it within ", kMaxCoordinate);
+  return without_scale(transform);
+}
+
+void read_place(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc& camera) {
+  camera.transform = read_frame(subject, "transform", desc.transform);
+  camera.moves = !is_zero(desc.end_transform);
+  if (!camera.moves) return;
+  camera.end = read_frame(subject, "end_transform", desc.end_transform);
+  if ((camera.end.determinant() < 0) != (camera.transform.determinant() < 0))
+    subject.refuse("end_transform", "is a reflection of transform: let both be, or neither");
 }
 
 // What a type may have beside its picture and its place.

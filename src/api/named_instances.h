@@ -12,7 +12,7 @@ namespace bdpt {
 
 class NamedInstances {
  public:
-  explicit NamedInstances(const Scene& scene) : numbers_(scene.instance_count(), -1) {
+  explicit NamedInstances(const Scene& scene) : scene_(scene), numbers_(scene.instance_count(), -1) {
     for (uint32_t i = 0; i < scene.instance_count(); ++i) indices_.emplace(scene.instance_id(i), i);
   }
   // The scene's index of an id; name: as errors call it.
@@ -21,6 +21,8 @@ class NamedInstances {
     if (found == indices_.end())
       fail(ErrorCode::InvalidId, name,
            " is none of the scene's: give an id that the builder had when it built the scene");
+    if (scene_.moves(found->second))
+      fail(ErrorCode::InvalidArgument, name, " is an instance that moves: measure at one that stands still");
     return found->second;
   }
   // An instance is the array's element `number`. remedy: how to name it once.
@@ -31,6 +33,7 @@ class NamedInstances {
   }
 
  private:
+  const Scene& scene_;
   std::unordered_map<uint64_t, uint32_t> indices_;
   std::vector<int> numbers_;  // of each of the scene's; -1 = not named
 };

@@ -29,15 +29,19 @@ bool has_finite_inverse(const Transform& t, double determinant) {
 
 }  // namespace
 
-Transform read_transform(const Subject& subject, const float m[12]) {
-  if (std::all_of(m, m + 12, [](float v) { return v == 0; })) return {};
-  subject.check_finite("transform", m, 12);
+bool is_zero(const float m[12]) {
+  return std::all_of(m, m + 12, [](float v) { return v == 0; });
+}
+
+Transform read_transform(const Subject& subject, const float m[12], const char* field) {
+  if (is_zero(m)) return {};
+  subject.check_finite(field, m, 12);
   Transform transform;
   std::copy(m, m + 12, transform.m);
   const double determinant = column(transform, 0).dot(column(transform, 1).cross(column(transform, 2)));
   const double lengths = column(transform, 0).length() * column(transform, 1).length() * column(transform, 2).length();
   if (!(std::fabs(determinant) > kSingular * lengths) || !has_finite_inverse(transform, determinant))
-    subject.refuse("transform", "is singular (determinant ", determinant,
+    subject.refuse(field, "is singular (determinant ", determinant,
                    "): give an invertible 3x4 matrix, row by row, "
                    "or twelve zeros for the identity");
   return transform;

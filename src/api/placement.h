@@ -6,7 +6,8 @@
 namespace bdpt {
 
 // Twelve zeros are the identity. Throws unless finite and invertible.
-Transform read_transform(const Subject& subject, const float m[12]);
+Transform read_transform(const Subject& subject, const float m[12], const char* field = "transform");
+bool is_zero(const float m[12]);
 
 // The factor by which a transform scales, if it does so alike in all directions; else 0.
 double uniform_scale(const Transform& transform);

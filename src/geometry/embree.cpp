@@ -53,13 +53,13 @@ void load(RTCRay16& packet, const Ray* rays, size_t lanes, bool numbered) {
     packet.dir_z[i] = rays[i].direction.z;
     packet.tfar[i] = rays[i].tmax;
     packet.id[i] = numbered ? ray_number(rays[i]) : 0;
+    packet.time[i] = rays[i].time;
   }
   for (size_t i = 0; i < 16; ++i) {
     packet.tnear[i] = 0;
-    packet.time[i] = 0;
     packet.mask[i] = ~0u;
     packet.flags[i] = 0;
-    if (i >= lanes) packet.id[i] = 0;
+    if (i >= lanes) packet.id[i] = 0, packet.time[i] = 0;
   }
 }
 
@@ -204,7 +204,8 @@ struct RayScene::Implementation {
       const float chance = float(hash_values(RTCRayN_id(arguments->ray, n, k), instance, primitive) >> 40) * 0x1p-24f;
       const Vec3 ng(RTCHitN_Ng_x(arguments->hit, n, k), RTCHitN_Ng_y(arguments->hit, n, k),
                     RTCHitN_Ng_z(arguments->hit, n, k));
-      if (!test->is_there(primitive, RTCHitN_u(arguments->hit, n, k), RTCHitN_v(arguments->hit, n, k), ng, chance))
+      if (!test->is_there(primitive, RTCHitN_u(arguments->hit, n, k), RTCHitN_v(arguments->hit, n, k), ng,
+                          RTCRayN_time(arguments->ray, n, k), chance))
         arguments->valid[k] = 0;
     }
   }
@@ -225,24 +226,29 @@ struct RayScene::Implementation {
     return g;
   }
 
-  RTCGeometry sphere(const Sphere& s, const Transform& transform) {
+  RTCGeometry sphere(const Sphere& s, const Transform& transform, const Transform* end) {
     RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    auto* v = static_cast<float*>(
-        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
-    if (!v) {
-      rtcReleaseGeometry(g);
-      fail_refused(rtcGetDeviceError(handle()));
+    if (end) rtcSetGeometryTimeStepCount(g, 2);
+    for (unsigned step = 0; step < (end ? 2u : 1u); ++step) {
+      auto* v = static_cast<float*>(
+          rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT4, 4 * sizeof(float), 1));
+      if (!v) {
+        rtcReleaseGeometry(g);
+        fail_refused(rtcGetDeviceError(handle()));
+      }
+      const Transform& t = step == 0 ? transform : *end;
+      const Vec3 c = t.point(s.center);
+      v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = s.radius * length(t.column(0));
     }
-    const Vec3 c = transform.point(s.center);
-    v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = s.radius * length(transform.column(0));
     return g;
   }
 
-  RTCGeometry instance(RTCScene of, const Transform& transform) {
+  RTCGeometry instance(RTCScene of, const Transform& transform, const Transform* end) {
     RTCGeometry g = new_geometry(RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(g, of);
-    rtcSetGeometryTimeStepCount(g, 1);
+    rtcSetGeometryTimeStepCount(g, end ? 2 : 1);
     rtcSetGeometryTransform(g, 0, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, transform.m);
+    if (end) rtcSetGeometryTransform(g, 1, RTC_FORMAT_FLOAT3X4_ROW_MAJOR, end->m);
     return g;
   }
 
@@ -270,7 +276,7 @@ RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<Ra
   for (uint32_t id = 0; id < geometries.size(); ++id) {
     const RayGeometry& g = geometries[id];
     if (g.sphere) {
-      i.attach(i.sphere(*g.sphere, g.transform), id, g.opacity);
+      i.attach(i.sphere(*g.sphere, g.transform, g.end), id, g.opacity);
     } else if (!g.mesh) {
       continue;
     } else if (!g.instanced) {
@@ -287,7 +293,7 @@ RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<Ra
         rtcReleaseGeometry(t);
         i.commit(s);
       }
-      i.attach(i.instance(s, g.transform), id);
+      i.attach(i.instance(s, g.transform, g.end), id);
     }
   }
   rtcSetSceneProgressMonitorFunction(i.scene, Implementation::on_progress, &i);
@@ -315,6 +321,7 @@ void RayScene::intersect(const Ray* rays, Hit* hits, size_t count) const {
       hit.u = packet.hit.u[k];
       hit.v = packet.hit.v[k];
       hit.t = packet.ray.tfar[k];
+      hit.time = packet.ray.time[k];
     }
   }
 }

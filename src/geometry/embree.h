@@ -17,6 +17,7 @@ struct Ray {
   Vec3 origin;
   float tmax;
   Vec3 direction;  // need not be of unit length
+  float time = 0;  // [0,1]: where what moves is
 };
 
 inline constexpr uint32_t kMiss = ~0u;
@@ -26,6 +27,7 @@ struct Hit {
   uint32_t primitive = 0;     // triangle of the mesh
   float u = 0, v = 0;         // barycentric coordinates of the triangle's second and third vertex
   float t = 0;
+  float time = 0;  // the ray's
 };
 
 enum class Isa { Best, Sse42, Avx2, Avx512 };
@@ -53,7 +55,8 @@ class RayDevice {
 struct RayGeometry {
   const Mesh* mesh = nullptr;  // or
   const Sphere* sphere = nullptr;
-  Transform transform;  // object to world
+  Transform transform;             // object to world
+  const Transform* end = nullptr;  // the same at time 1, of what moves
   // World positions, padded by 16 bytes, when the mesh is placed only once and is therefore not instanced.
   View<Vec3> world_positions;
   bool instanced = false;                // several instances of one mesh share one structure

@@ -37,16 +37,16 @@ struct OpacityTest {
   Opacity opacity;
   const Texture* texture = nullptr;
   const Mesh* mesh = nullptr;  // nullptr: a sphere
-  Transform transform;         // object to world
+  Transform transform, end;    // object to world, at time 0 and 1
 
   // At barycentric coordinates u and v of a triangle, or where a sphere has the normal ng, of any length, in the world.
   // chance: uniform in [0,1).
-  bool is_there(uint32_t primitive, float u, float v, const Vec3& ng, float chance) const {
+  bool is_there(uint32_t primitive, float u, float v, const Vec3& ng, float time, float chance) const {
     float value = opacity.value;
     if (mesh && !mesh->colors.empty()) value *= mesh->color(primitive, u, v)[3];
     if (texture) {
-      const Vec2 uv =
-          mesh ? mesh->uv_at(opacity.uv.set, primitive, u, v) : uv_of_sphere(unit(transform.transposed(ng)));
+      const Vec2 uv = mesh ? mesh->uv_at(opacity.uv.set, primitive, u, v)
+                           : uv_of_sphere(unit(between(transform, end, time).transposed(ng)));
       value *= texture->lookup(opacity.uv(uv), opacity.sampler)[opacity.channel];
     }
     return opacity.mode == Opacity::Mode::Mask ? value >= opacity.cutoff : chance < value;

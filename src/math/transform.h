@@ -44,4 +44,31 @@ struct Transform {
   }
 };
 
+// The inverse; the determinant must not be zero.
+inline Transform invert(const Transform& t) {
+  const double det = t.determinant();
+  const float* m = t.m;
+  const double a = m[0], b = m[1], c = m[2], d = m[4], e = m[5], f = m[6], g = m[8], h = m[9], i = m[10];
+  const double r[9] = {e * i - f * h, c * h - b * i, b * f - c * e, f * g - d * i, a * i - c * g,
+                       c * d - a * f, d * h - e * g, b * g - a * h, a * e - b * d};
+  Transform inverse;
+  for (int row = 0; row < 3; ++row) {
+    double translation = 0;
+    for (int column = 0; column < 3; ++column) {
+      const double v = r[3 * row + column] / det;
+      inverse.m[4 * row + column] = float(v);
+      translation -= v * double(m[4 * column + 3]);
+    }
+    inverse.m[4 * row + 3] = float(translation);
+  }
+  return inverse;
+}
+
+// Element by element, as Embree moves instances: every point on a straight line.
+inline Transform between(const Transform& begin, const Transform& end, float time) {
+  Transform t;
+  for (int i = 0; i < 12; ++i) t.m[i] = begin.m[i] * (1 - time) + end.m[i] * time;
+  return t;
+}
+
 }  // namespace bdpt

@@ -11,26 +11,6 @@ namespace bdpt {
 
 namespace {
 
-// For one 3x3 linear part; the determinant is not zero (the builder saw to it).
-Transform invert(const Transform& t) {
-  const double det = t.determinant();
-  const float* m = t.m;
-  const double a = m[0], b = m[1], c = m[2], d = m[4], e = m[5], f = m[6], g = m[8], h = m[9], i = m[10];
-  const double r[9] = {e * i - f * h, c * h - b * i, b * f - c * e, f * g - d * i, a * i - c * g,
-                       c * d - a * f, d * h - e * g, b * g - a * h, a * e - b * d};
-  Transform inverse;
-  for (int row = 0; row < 3; ++row) {
-    double translation = 0;
-    for (int column = 0; column < 3; ++column) {
-      const double v = r[3 * row + column] / det;
-      inverse.m[4 * row + column] = float(v);
-      translation -= v * double(m[4 * column + 3]);
-    }
-    inverse.m[4 * row + 3] = float(translation);
-  }
-  return inverse;
-}
-
 void grow(Vec3& low, Vec3& high, const Vec3& p) {
   low = Vec3(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
   high = Vec3(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
@@ -145,6 +125,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
     add(i.transform.m);
     h = hash_combine(h, hash_values(i.shape, i.material));
     if (i.invisible) h = hash_combine(h, 1);
+    if (i.moves) add(i.end.m);
   }
   return h;
 }
@@ -171,7 +152,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Instance& instance = instances_[i];
     if (desc_.instances[i].invisible) continue;
-    geometries[i] = {instance.mesh, instance.sphere,       instance.transform, instance.world_positions,
+    geometries[i] = {instance.mesh, instance.sphere,       instance.transform, instance.end, instance.world_positions,
                      false,         opacity_test(instance)};
     if (instance.mesh && instance.world_positions.empty()) {
       geometries[i].instanced = true;
@@ -211,8 +192,8 @@ const OpacityTest* Scene::opacity_test(const Instance& instance) {
   const Opacity& opacity = instance.material->opacity;
   if (opacity.mode == Opacity::Mode::Opaque) return nullptr;
   const Texture* texture = opacity.texture < 0 ? nullptr : desc_.textures[size_t(opacity.texture)].get();
-  opacity_tests_.push_back(
-      std::make_unique<const OpacityTest>(OpacityTest{opacity, texture, instance.mesh, instance.transform}));
+  opacity_tests_.push_back(std::make_unique<const OpacityTest>(OpacityTest{
+      opacity, texture, instance.mesh, instance.transform, instance.end ? *instance.end : instance.transform}));
   return opacity_tests_.back().get();
 }
 
@@ -230,6 +211,11 @@ uint64_t Scene::world_position_bytes() const {
   for (const InstanceDesc& i : desc_.instances) {
     const Mesh* mesh = desc_.shapes[size_t(i.shape)].mesh.get();
     if (!mesh) continue;
+    if (i.moves) {
+      if (!mesh->positions_padded && !counted[size_t(i.shape)]) bytes += (mesh->positions.size() + 2) * sizeof(Vec3);
+      counted[size_t(i.shape)] = 1;
+      continue;
+    }
     const bool own = !i.transform.is_identity() && uses[size_t(i.shape)] == 1;
     if (own || (!mesh->positions_padded && !counted[size_t(i.shape)]))
       bytes += (mesh->positions.size() + 2) * sizeof(Vec3);
@@ -253,15 +239,15 @@ void Scene::place_instances() {
     instance.is_plain = instance.material->textures.empty() && !instance.material->is_anisotropic() &&
                         !(shape.mesh && !shape.mesh->colors.empty());
     instance.varies = varies(*instance.material);
-    instance.transform = d.transform;
-    instance.inverse = invert(d.transform);
-    instance.identity = d.transform.is_identity();
+    instance.identity = d.transform.is_identity() && !d.moves;
     instance.handedness = d.transform.determinant() < 0 ? -1.0f : 1.0f;
     if (shape.mesh) {
       instance.mesh = shape.mesh.get();
       info_.triangles += instance.mesh->triangles.size();
       info_.degenerate += instance.mesh->degenerate;
-      if (instance.identity) {
+      if (d.moves) {
+        instance.end = &d.end;
+      } else if (instance.identity) {
         instance.world_positions = object_positions(*instance.mesh);
       } else if (uses[size_t(d.shape)] == 1) {
         std::vector<Vec3>& world = world_positions_.emplace_back();
@@ -273,12 +259,32 @@ void Scene::place_instances() {
       }
     } else {
       instance.sphere = shape.sphere.get();
-      instance.center = d.transform.point(instance.sphere->center);
-      instance.radius = instance.sphere->radius * length(d.transform.column(0));
+      if (d.moves) instance.end = &d.end;
       ++info_.spheres;
     }
+    instance.place(d.transform);
+    moves_ = moves_ || d.moves;
     instances_.push_back(std::move(instance));
   }
+}
+
+void Scene::Instance::place(const Transform& to_world) {
+  transform = to_world;
+  inverse = invert(to_world);
+  if (!sphere) return;
+  center = to_world.point(sphere->center);
+  radius = sphere->radius * length(to_world.column(0));
+}
+
+Scene::Instance Scene::Instance::at(float time) const {
+  Instance there = *this;
+  there.place(between(transform, *end, time));
+  if (sphere) {  // as Embree moves it
+    const float r1 = sphere->radius * length(end->column(0));
+    there.center = center * (1 - time) + end->point(sphere->center) * time;
+    there.radius = radius * (1 - time) + r1 * time;
+  }
+  return there;
 }
 
 void Scene::collect_lights() {
@@ -306,6 +312,17 @@ void Scene::collect_lights() {
     if (use) {
       light.texture = desc_.textures[size_t(use->texture)];
       light.sampler = use->sampler;
+    }
+    if (emits && instance.end)
+      fail(ErrorCode::InvalidArgument, "instance \"", desc_.instances[i].label,
+           "\" moves, but its material emits light: let it stand still, or give it another material");
+    if (instance.end && instance.sphere) {
+      const Instance there = instance.at(1);
+      grow(low, high, there.center - Vec3(there.radius));
+      grow(low, high, there.center + Vec3(there.radius));
+    } else if (instance.end) {
+      for (size_t k = 0; k < instance.mesh->positions.size(); ++k)
+        grow(low, high, instance.end->point(instance.mesh->positions[k]));
     }
     if (instance.sphere) {
       grow(low, high, instance.center - Vec3(instance.radius));
@@ -397,6 +414,10 @@ double Scene::triangle_area(uint32_t instance, uint32_t primitive) const {
 
 bool Scene::surface(const Ray& ray, const Hit& hit, Surface& s) const {
   const Instance& instance = instances_[hit.instance];
+  return instance.end ? surface_of(instance.at(hit.time), ray, hit, s) : surface_of(instance, ray, hit, s);
+}
+
+bool Scene::surface_of(const Instance& instance, const Ray& ray, const Hit& hit, Surface& s) const {
   s.material = instance.material;
   s.light = instance.light;
   s.primitive = hit.primitive;

@@ -78,6 +78,9 @@ class Scene {
   size_t instance_count() const { return instances_.size(); }
   uint64_t instance_id(uint32_t instance) const { return desc_.instances[instance].id; }
   const std::string& instance_label(uint32_t instance) const { return desc_.instances[instance].label; }
+  // Whether something moves: then rays have times.
+  bool moves() const { return moves_; }
+  bool moves(uint32_t instance) const { return instances_[instance].end != nullptr; }
   // Whether rays, and so light, meet it wherever it is.
   bool is_solid(uint32_t instance) const {
     return !desc_.instances[instance].invisible && instances_[instance].material->opacity.mode == Opacity::Mode::Opaque;
@@ -106,13 +109,20 @@ class Scene {
     bool is_plain = true;  // there is nothing to shade
     bool varies = false;   // its material's numbers are those of the place
     Transform transform, inverse;
-    View<Vec3> world_positions;  // empty where the mesh is instanced
-    float handedness = 1;        // -1 where the transform reflects: keeps the front the image of the front
+    const Transform* end = nullptr;  // at time 1, of what moves
+    View<Vec3> world_positions;      // empty where the mesh is instanced
+    float handedness = 1;            // -1 where the transform reflects: keeps the front the image of the front
     bool identity = false;
     int light = -1;
     Vec3 center{0, 0, 0};  // sphere, in the world
     float radius = 0;
+
+    void place(const Transform& to_world);
+    // Where it is then.
+    Instance at(float time) const;
   };
+  bool surface_of(const Instance& instance, const Ray& ray, const Hit& hit, Surface& surface) const;
+  void shade_as(const Instance& instance, const Hit& hit, Surface& surface, MaterialStore& store) const;
 
   View<Vec3> object_positions(const Mesh& mesh);
   const OpacityTest* opacity_test(const Instance& instance);
@@ -144,7 +154,7 @@ class Scene {
   std::vector<std::unique_ptr<const OpacityTest>> opacity_tests_;
   Lights lights_;
   Interiors interiors_;
-  bool has_interiors_ = false, has_passable_ = false;
+  bool has_interiors_ = false, has_passable_ = false, moves_ = false;
   std::vector<Interior> light_interiors_;
   std::unique_ptr<RayScene> rays_;
   SceneInfo info_;

@@ -19,6 +19,8 @@ struct InstanceDesc {
   int shape = 0;     // index into SceneDesc::shapes
   int material = 0;  // index into SceneDesc::materials
   Transform transform;
+  Transform end;       // at time 1, of what moves
+  bool moves = false;
   uint64_t id = 0;         // the host's, by which sensors name it; decides nothing
   bool invisible = false;  // no ray meets it; sensors may lie on it
 };

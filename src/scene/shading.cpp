@@ -169,6 +169,10 @@ const Material* Scene::part(const MaterialDesc& mix, int index, const Instance& 
 void Scene::shade(const Hit& hit, Surface& s, MaterialStore& store) const {
   const Instance& instance = instances_[hit.instance];
   if (instance.is_plain) return;
+  instance.end ? shade_as(instance.at(hit.time), hit, s, store) : shade_as(instance, hit, s, store);
+}
+
+void Scene::shade_as(const Instance& instance, const Hit& hit, Surface& s, MaterialStore& store) const {
   const MaterialDesc& material = *instance.material;
   if (instance.mesh && !instance.mesh->colors.empty())
     s.reflectance *= to_rgb(instance.mesh->color(hit.primitive, hit.u, hit.v));

@@ -17,7 +17,7 @@ static_assert(std::size(kKinds) == static_cast<size_t>(CameraType::Lens) + 1);
 
 std::shared_ptr<const Camera> make_camera(const CameraDesc& desc) { return kKinds[static_cast<int>(desc.type)](desc); }
 
-Camera::Camera(const CameraDesc& desc) : desc_(desc) {
+Camera::Camera(const CameraDesc& desc) : desc_(desc), motion_(desc.transform, desc.moves ? desc.end : desc.transform) {
   origin_ = desc.transform.column(3);
   right_ = unit(desc.transform.column(0));
   up_ = unit(desc.transform.column(1));
@@ -33,6 +33,7 @@ uint64_t Camera::hash() const {
                            desc_.field_height,      desc_.focus_tilt[0], desc_.focus_tilt[1],
                            desc_.film_height,       desc_.lens_unit};
   h = hash_bytes(numbers, sizeof(numbers), h);
+  if (desc_.moves) h = hash_bytes(desc_.end.m, sizeof(desc_.end.m), h);
   return hash_bytes(desc_.lens.data(), desc_.lens.size() * sizeof(LensSurface), h);
 }
 

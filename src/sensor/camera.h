@@ -27,6 +27,8 @@ struct CameraDesc {
   std::vector<LensSurface> lens;  // from the scene to the film
   float film_height = 24;         // in the lens' unit
   float lens_unit = 0.001f;       // world units
+  Transform end;                  // like transform, at time 1, of a camera that moves
+  bool moves = false;
 };
 
 // What all kinds share: the picture, and the camera's frame.
@@ -37,6 +39,8 @@ class Camera : public Sensor {
   int width() const override { return desc_.crop[2] - desc_.crop[0]; }
   int height() const override { return desc_.crop[3] - desc_.crop[1]; }
   uint64_t hash() const override;
+  bool moves() const override { return desc_.moves; }
+  Rigid motion(float time) const override { return motion_.at(time); }
 
  protected:
   // From coordinates to the right, upward and ahead to the world's.
@@ -45,6 +49,7 @@ class Camera : public Sensor {
 
   CameraDesc desc_;
   Vec3 origin_, right_, up_, forward_;
+  RigidMotion motion_;
 };
 
 // The frame of a picture on a plane: from pixels to lengths, to the right and upward of the axis.

@@ -8,7 +8,7 @@
 //   z0 of an eye subpath, like any other vertex of it, and (1,1) is direct lighting at z0. Only t = 0 is global.
 #pragma once
 
-#include "math/vec.h"
+#include "math/rigid.h"
 
 #include <cstdint>
 #include <vector>
@@ -126,6 +126,10 @@ class Sensor {
   virtual bool sample_toward(const Vec3&, const float[2], const PixelRect&, SensorPoint&) const { return false; }
   // t = 0: whether the segment from origin along the unit direction, up to tmax, passes through the sensor.
   virtual bool hit(const Vec3&, const Vec3&, float, const PixelRect&, SensorPoint&) const { return false; }
+
+  // Whether the camera moves: all of the above is of time 0, and motion() takes it to where it is later.
+  virtual bool moves() const { return false; }
+  virtual Rigid motion(float) const { return {}; }
 
   // --- What is measured: planes of the film. `start` measures the base; outputs are multiples of it. ---
   int planes() const { return outputs().back().first + outputs().back().count; }

@@ -34,6 +34,7 @@ void Block::run_light(uint64_t pass, uint64_t first, uint32_t count, LightSubpat
   {
     StageTimer timer(stats_.start);
     start(0, count);
+    if (engine_.moves) share_time(engine_.time_of_pass(pass));
     for (uint32_t i = 0; i < count; ++i) {
       light_.streams[i] = engine_.light_stream(pass, first + i);
       start_light(i, engine_.max_light);
@@ -55,6 +56,11 @@ void Block::start(size_t eyes, size_t lights) {
   roulette_key_ = ~0ull;
   walkers_.clear();
   rays_.clear();
+}
+
+void Block::share_time(float time) {
+  eye_.times.assign(eye_.count(), time);
+  light_.times.assign(light_.count(), time);
 }
 
 void Block::choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect) {
@@ -93,16 +99,21 @@ void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) 
   start(pixel_samples_.size(), pixel_samples_.size() * lights);
   places_.clear();
   const bool in_volumes = engine_.sensor.is_volume();
+  if (engine_.moves) share_time(engine_.shares_time ? engine_.time_of_pass(pass) : 0);
   for (uint32_t sample = 0; sample < pixel_samples_.size(); ++sample) {
     const auto& [p, x, y] = pixel_samples_[sample];
     const uint64_t number = engine_.eye_number(x, y);
     const Stream stream = eye_.streams[sample] = engine_.eye_stream(p, number);
     const Four u = engine_.draw_film(stream, p, number);
+    if (engine_.moves && !engine_.shares_time) {
+      eye_.times[sample] = draw_time(sample);
+      for (uint32_t l = 0; l < lights; ++l) light_.times[sample * lights + l] = eye_.times[sample];
+    }
     if (engine_.local)
       places_.push_back(
           {x, y, {u[0], u[1], u[2], u[3], in_volumes ? draw(true, sample, 0, Purpose::Direction)[0] : 0}});
     else
-      start_eye(sample, engine_.sensor.start({within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, bounds),
+      start_eye(sample, engine_.start_eye({within(float(x), u[0]), within(float(y), u[1])}, u.u + 2, eye_.time(sample)),
                 most_eye);
     const uint64_t first = uint64_t(engine_.sample_number(x, y)) * lights;
     for (uint32_t l = 0; l < lights; ++l) {
@@ -195,7 +206,8 @@ void Block::start_light(uint32_t light, uint32_t most) {
 
 void Block::push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from) {
   walkers.push_back(walker);
-  rays.push_back({from, kInfinity, walker.direction});
+  rays.push_back(
+      {from, kInfinity, walker.direction, (walker.eye ? eye_.time(walker.sample) : light_.time(walker.sample))});
 }
 
 // --- plan, shadow and accumulate ---

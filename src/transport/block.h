@@ -25,6 +25,7 @@ template <class Start>
 struct Subpaths {
   std::vector<Start> starts;
   std::vector<Stream> streams;
+  std::vector<float> times;  // of each subpath; empty where nothing moves
   std::vector<Vertex> vertices;
   MaterialStore materials;     // of vertices where a material varies
   std::vector<uint32_t> last;  // vertex of each subpath; kNoVertex where it has one vertex only
@@ -32,6 +33,7 @@ struct Subpaths {
   void reset(size_t n) {
     starts.resize(n);
     streams.resize(n);
+    times.clear();
     clear_vertices();
     last.assign(n, kNoVertex);
   }
@@ -39,9 +41,11 @@ struct Subpaths {
     vertices.clear();
     materials.clear();
   }
+  float time(uint32_t subpath) const { return times.empty() ? 0 : times[subpath]; }
   size_t memory() const {
     return starts.capacity() * sizeof(Start) + streams.capacity() * sizeof(Stream) +
-           vertices.capacity() * sizeof(Vertex) + last.capacity() * sizeof(uint32_t) + materials.memory();
+           vertices.capacity() * sizeof(Vertex) + times.capacity() * sizeof(float) +
+           last.capacity() * sizeof(uint32_t) + materials.memory();
   }
 };
 using EyeSubpaths = Subpaths<EyeStart>;
@@ -188,7 +192,14 @@ class Block {
   float along_way(const EyeStart& z0, const Vec3& w, float distance) const;
   void start_light(uint32_t light, uint32_t most);
   FilmPosition spread(const Four& u) const;
-  EyeStart start_anywhere(const Four& u) const;
+  EyeStart start_anywhere(const Four& u, float time) const;
+  // One time for all subpaths of a pass; or for an eye subpath and those that go with it, by its numbers.
+  void share_time(float time);
+  void set_time(uint32_t sample, float time) {
+    eye_.times[sample] = time;
+    if (!light_.times.empty()) light_.times[sample] = time;
+  }
+  float draw_time(uint32_t sample) { return draw(true, sample, 0, Purpose::Direction)[1]; }
   // The contributions of some work, kept instead of added to the film.
   template <class Work>
   const std::vector<Contribution>& keep(Work&& work);

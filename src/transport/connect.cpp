@@ -6,7 +6,7 @@ namespace bdpt {
 namespace {
 
 // The ray between two points that were moved off their surfaces.
-Ray between(const Vec3& a, const Vec3& b) { return {a, 1, b - a}; }
+Ray between(const Vec3& a, const Vec3& b, float time) { return {a, 1, b - a, time}; }
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void Block::connect(const Vertex& y, const Vertex& z, uint32_t sample, float cou
   const float geometry = y.cosine(w) * z_cosine / d2;
   Rgb c = y.throughput * at_y.f * (at_z.f * z.throughput) * geometry;  // (10.8)
   if (is_black(c)) return;
-  Ray ray = between(off_surface(y, w), off_surface(z, -w));
+  Ray ray = between(off_surface(y, w), off_surface(z, -w), eye_.time(sample));
   Passage passage;
   if (engine_.media) {
     if (!passes(interior_toward(y, w), ray, distance, passage)) return;
@@ -179,7 +179,8 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
   Rgb c = direct_throughput(z, sample, light, at_z, geometry);
   if (is_black(c)) return c;
   const Vec3 from = off_surface(z, w);
-  ray = y0.infinite ? Ray{from, kInfinity, w} : between(from, off_surface(y0, -w));
+  const float time = eye_.time(sample);
+  ray = y0.infinite ? Ray{from, kInfinity, w, time} : between(from, off_surface(y0, -w), time);
   Passage passage;
   if (engine_.media) {
     if (!passes(interior_toward(z, w), ray, light.distance, passage)) return Rgb();
@@ -215,7 +216,7 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   ++stats_.connections;
   const Four u = draw(false, light, y.count, Purpose::Connect);
   SensorPoint z0;
-  if (!engine_.sensor.sample_toward(y.p, u.u, engine_.bounds, z0)) return;
+  if (!engine_.sample_toward(y.p, u.u, light_.time(light), z0)) return;
   const Strategy& strategy = engine_.strategy_at(z0.film);
   if (!strategy.allows(y.count, 1)) return;
   const Vec3 edge = z0.p - y.p;
@@ -227,7 +228,7 @@ void Block::connect_to_sensor(const Vertex& y, uint32_t light) {
   const float geometry = y.cosine(w) * absdot(z0.normal, w) / d2;
   Rgb c = y.throughput * at_y.f * (geometry * z0.importance / z0.density_position);
   if (is_black(c)) return;
-  Ray ray = between(off_surface(y, w), z0.p);
+  Ray ray = between(off_surface(y, w), z0.p, light_.time(light));
   Passage passage;
   if (engine_.media) {
     if (!passes(interior_toward(y, w), ray, std::sqrt(d2), passage)) return;
@@ -264,7 +265,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
   ++stats_.connections;
   const Four u = draw(false, light, 1, Purpose::Connect);
   SensorPoint z0;
-  if (!engine_.sensor.sample_toward(y0.p, u.u, engine_.bounds, z0)) return;
+  if (!engine_.sample_toward(y0.p, u.u, light_.time(light), z0)) return;
   const Strategy& strategy = engine_.strategy_at(z0.film);
   if (!strategy.allows(1, 1)) return;
   const Vec3 edge = z0.p - y0.p;
@@ -277,7 +278,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
   const float geometry = y_cosine * absdot(z0.normal, w) / d2;
   Rgb c = emitted * (geometry * z0.importance / (z0.density_position * start.density_position));
   if (is_black(c)) return;
-  Ray ray = between(off_surface(y0, w), z0.p);
+  Ray ray = between(off_surface(y0, w), z0.p, light_.time(light));
   Passage passage;
   if (engine_.media) {
     if (!passes(engine_.scene.interior_of_light(y0.light), ray, std::sqrt(d2), passage)) return;

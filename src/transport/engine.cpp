@@ -35,6 +35,8 @@ Engine::Engine(const Scene& scene_, const Sensor& sensor_, Film& film_, const Tr
   running_sums = structured && !options.correlation_aware &&
                  (options.heuristic == Heuristic::Power || options.heuristic == Heuristic::Balance);
   limit_subpaths();
+  moves = scene.moves() || sensor.moves();
+  shares_time = moves && (plan.chooses || (plan.connect != connect_own && !plan.chains));
   media = scene.has_interiors();
   if (media && !local) {
     const float lens[2] = {0.5f, 0.5f};
@@ -116,6 +118,39 @@ void Engine::set_rates(const RegionGrid& grid, const std::vector<RegionMeasure>&
                        const std::vector<RegionMeasure>& all) {
   rates.set(grid, eye, all, seed);
   light_weight = plan.pooled ? 1 : float(1 / rates.mean());
+}
+
+float Engine::time_of_pass(uint64_t pass) const {
+  const uint64_t begin = hash_values(seed, 9), step = 0x9e3779b97f4a7c15ull;  // the golden ratio's fraction
+  return float((begin + pass / pool_passes * step) >> 40) * 0x1p-24f;
+}
+
+EyeStart Engine::start_eye(const FilmPosition& film_position, const float lens[2], float time) const {
+  EyeStart z0 = sensor.start(film_position, lens, bounds);
+  if (!sensor.moves()) return z0;
+  const Rigid motion = sensor.motion(time);
+  z0.p = motion.point(z0.p);
+  z0.normal = motion.vector(z0.normal);
+  z0.direction = motion.vector(z0.direction);
+  return z0;
+}
+
+bool Engine::sample_toward(const Vec3& x, const float lens[2], float time, SensorPoint& z0) const {
+  if (!sensor.moves()) return sensor.sample_toward(x, lens, bounds, z0);
+  const Rigid motion = sensor.motion(time);
+  if (!sensor.sample_toward(motion.back_point(x), lens, bounds, z0)) return false;
+  z0.p = motion.point(z0.p);
+  z0.normal = motion.vector(z0.normal);
+  return true;
+}
+
+bool Engine::hit_camera(const Ray& ray, float tmax, SensorPoint& z0) const {
+  if (!sensor.moves()) return sensor.hit(ray.origin, ray.direction, tmax, bounds, z0);
+  const Rigid motion = sensor.motion(ray.time);
+  if (!sensor.hit(motion.back_point(ray.origin), motion.back_vector(ray.direction), tmax, bounds, z0)) return false;
+  z0.p = motion.point(z0.p);
+  z0.normal = motion.vector(z0.normal);
+  return true;
 }
 
 uint64_t Engine::measured(const PixelRect& rect) const {

@@ -51,6 +51,8 @@ struct Engine {
   bool cross;                   // or passes through volumes
   bool media;                   // whether media count in the scene
   Interior sensor_interior;     // what encloses a camera's z_0
+  bool moves;                   // something moves: samples have times
+  bool shares_time;             // of a whole pass, or of passes that come together: light of one sample meets others
   RayRecorder* recorder = nullptr;
   ShadowRoulette roulette;
   SampleRates rates;
@@ -112,6 +114,12 @@ struct Engine {
     const uint32_t group = dimension_group(int(vertex), purpose);
     return options.sampler == SamplerType::Sobol ? sobol4(stream, group) : independent4(stream, group);
   }
+  // Times are within [0,1]. That of a pass, if samples share it; passes fill the time evenly.
+  float time_of_pass(uint64_t pass) const;
+  // The camera as it is then.
+  EyeStart start_eye(const FilmPosition& film, const float lens[2], float time) const;
+  bool sample_toward(const Vec3& x, const float lens[2], float time, SensorPoint& z0) const;
+  bool hit_camera(const Ray& ray, float tmax, SensorPoint& z0) const;
   // Film position and lens of an eye subpath: {x in pixel, y in pixel, lens, lens}.
   Four draw_film(const Stream& stream, uint64_t pass, uint64_t number) const;
 

@@ -245,7 +245,7 @@ void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
   const uint32_t s = w.count + 1;
   if (!takes(s, 0, w.sample)) return;
   SensorPoint z0;
-  if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
+  if (!engine_.hit_camera(ray, tmax, z0)) return;
   const float cosine = absdot(z0.normal, w.direction);
   const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
   const float density = w.projected * geometry;
@@ -257,7 +257,7 @@ void Block::hit_sensor_in_media(const Walker& w, const Ray& ray, float tmax, con
   const uint32_t s = w.count + 1;
   if (w.infinite || !takes(s, 0, w.sample)) return;
   SensorPoint z0;
-  if (!engine_.sensor.hit(ray.origin, ray.direction, tmax, engine_.bounds, z0)) return;
+  if (!engine_.hit_camera(ray, tmax, z0)) return;
   Walker at = w;
   if (!end_passage(at, medium, length(z0.p - ray.origin), false)) return;
   const float geometry = w.cosine * absdot(z0.normal, w.direction) / length_squared(z0.p - w.origin);

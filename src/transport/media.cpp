@@ -92,7 +92,8 @@ void Block::arrive_in(const Walker& w, const Medium& medium, const Vec3& p) {
 Interior Block::interior_toward(const Vertex& v, const Vec3& w) const {
   Interior interior = v.interior;
   if (v.in_medium() || v.is_sensor() || dot(v.ng, w) * v.previous_cosine_g > 0) return interior;
-  Scene::enter_or_leave(interior, v.material->encloses, v.previous_cosine_g > 0);  // where four are there, no walk goes on
+  Scene::enter_or_leave(interior, v.material->encloses,
+                        v.previous_cosine_g > 0);  // where four are there, no walk goes on
   return interior;
 }
 

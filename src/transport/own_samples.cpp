@@ -61,8 +61,8 @@ const std::vector<Contribution>& Block::join_pilot(const Plan& plan) {
   return keep([&] { join_inner(plan); });
 }
 
-EyeStart Block::start_anywhere(const Four& u) const {
-  if (!engine_.local) return engine_.sensor.start(spread(u), u.u + 2, engine_.bounds);
+EyeStart Block::start_anywhere(const Four& u, float time) const {
+  if (!engine_.local) return engine_.start_eye(spread(u), u.u + 2, time);
   const uint64_t count = engine_.sensor.count();
   const double place = double(u[0]) * double(count);
   const uint64_t number = std::min(uint64_t(place), count - 1);
@@ -77,10 +77,12 @@ const std::vector<Contribution>& Block::sample_film(const std::vector<StreamPair
     StageTimer timer(stats_.start);
     const bool lights = engine_.max_light > 0;
     start(streams.size(), lights ? streams.size() : 0);
+    if (engine_.moves) share_time(0);
     for (uint32_t i = 0; i < streams.size(); ++i) {
       eye_.streams[i] = streams[i].eye;
+      if (engine_.moves) set_time(i, draw_time(i));
       const Four u = draw(true, i, 0, Purpose::Start);
-      start_eye(i, start_anywhere(u), engine_.max_eye);
+      start_eye(i, start_anywhere(u, eye_.time(i)), engine_.max_eye);
       if (!lights) continue;
       light_.streams[i] = streams[i].light;
       start_light(i, engine_.max_light);
@@ -94,13 +96,15 @@ const std::vector<Contribution>& Block::sample_chains(std::vector<Chain>& chains
   {
     StageTimer timer(stats_.start);
     start(chains.size(), chains.size());
+    if (engine_.moves) share_time(0);
     for (uint32_t i = 0; i < chains.size(); ++i) {
+      if (engine_.moves) set_time(i, draw_time(i));
       const Technique technique = chains[i].technique();
       light_.starts[i].y0.light = -1;
       // With t = 1 and s = 1 the other side takes a fresh vertex to this one's subpath.
       if (technique.t >= 2) {
         const Four u = draw(true, i, 0, Purpose::Start);
-        start_eye(i, start_anywhere(u), technique.t);
+        start_eye(i, start_anywhere(u, eye_.time(i)), technique.t);
       }
       if (technique.s >= 2 || technique.t == 1) start_light(i, technique.s);
     }
