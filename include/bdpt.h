@@ -546,7 +546,8 @@ typedef struct bdpt_material_desc {
   uint32_t texture_count;
   uint32_t texture_stride;             /* bytes from one to the next; 0 = struct_size of the first */
   uint32_t perceptual_roughness;       /* 1: alpha is the square of roughness, and of its texture, as in glTF and OpenPBR */
-  bdpt_opacity_mode opacity_mode;      /* rays of all kinds pass where the surface is not there. Not for what emits */
+  bdpt_opacity_mode opacity_mode;      /* rays of all kinds pass where the surface is not there. Not for what emits, nor
+                                          for boundaries of media */
   float opacity;                       /* of mask and blend: [0,1] */
   float opacity_cutoff;                /* of mask: [0,1]; 0 = 0.5 */
   bdpt_medium_id interior;             /* dielectric, interface, and principled that refracts: what fills the closed

@@ -49,6 +49,12 @@ TEST_F(ApiMaterial, OpacityIsChecked) {
   };
   EXPECT_OK(try_material([](auto& d) { d.opacity_mode = BDPT_OPACITY_MASK, d.opacity = d.opacity_cutoff = 1; }));
   EXPECT_OK(try_material([](auto& d) { d.opacity_mode = BDPT_OPACITY_BLEND; }));
+  for (bdpt_opacity_mode mode : {BDPT_OPACITY_MASK, BDPT_OPACITY_BLEND}) {
+    refused({"opacity_mode", "bounds a medium", "no interior"},
+            [&](auto& d) { d.type = BDPT_MATERIAL_INTERFACE, d.opacity_mode = mode; });
+    refused({"opacity_mode", "bounds a medium", "no priority"},
+            [&](auto& d) { d.type = BDPT_MATERIAL_DIELECTRIC, d.opacity_mode = mode, d.priority = 1; });
+  }
   refused({"opacity_mode", "is 3", "0 to 2"}, [](auto& d) { d.opacity_mode = 3; });
   refused({"opacity of", "is 1.5", "from 0 to 1"}, [](auto& d) { d.opacity = 1.5f; });
   refused({"opacity of", "nan", "from 0 to 1"}, [](auto& d) { d.opacity = kNan; });

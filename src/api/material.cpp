@@ -147,6 +147,10 @@ Opacity read_opacity(const Subject& subject, const bdpt_material_desc& desc) {
   if (desc.opacity_mode == BDPT_OPACITY_OPAQUE) return opacity;
   for (float v : desc.emission)
     if (v > 0) subject.refuse("opacity_mode", "is not opaque, but the material emits: give it no emission");
+  if (desc.type == BDPT_MATERIAL_INTERFACE || desc.interior.id != 0 || desc.priority != 0)
+    subject.refuse("opacity_mode",
+                   "is not opaque, but the surface bounds a medium, and what has holes encloses nothing: "
+                   "give it no interior and no priority, and a type that is no INTERFACE");
   opacity.mode = desc.opacity_mode == BDPT_OPACITY_MASK ? Opacity::Mode::Mask : Opacity::Mode::Blend;
   opacity.value = desc.opacity;
   opacity.cutoff = desc.opacity_cutoff == 0 ? kDefaultCutoff : desc.opacity_cutoff;

@@ -19,7 +19,7 @@ void Scene::number_enclosures() {
   }
   size_t count = 0;
   for (MaterialDesc& m : desc_.materials) {
-    if (!m.is_boundary()) continue;
+    if (!m.is_boundary() || m.opacity.mode != Opacity::Mode::Opaque) continue;  // what has holes encloses nothing
     if (++count > 0xFFFF) fail(ErrorCode::InvalidArgument, "the scene has more than 65535 materials that light passes");
     Interiors::Enclosure e;
     if (m.interior >= 0) e.medium = desc_.media[size_t(m.interior)].get();
