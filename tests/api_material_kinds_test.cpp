@@ -9,7 +9,7 @@
 namespace bdpt_api {
 namespace {
 
-using ApiMaterialKinds = ApiBuilder;
+class ApiMaterialKinds : public BuilderTest {};
 
 TEST_F(ApiMaterialKinds, NumbersOfLayeredMaterialsAreChecked) {
   const auto refused = [&](const char* word, const std::function<void(bdpt_material_desc&)>& change) {
