@@ -880,8 +880,8 @@ typedef int32_t bdpt_output_kind;
 #define BDPT_OUTPUT_ALBEDO 17            /* the part of light, in [0,1], that the surface sends on, reflected or transmitted,
                                             for the direction from which it is seen: of a diffuse surface its reflectance */
 #define BDPT_OUTPUT_NORMAL 18            /* x, y, z: the shading normal, in the world, on the side that is seen */
-#define BDPT_OUTPUT_DEPTH 19             /* in place of colours the means of d, d² and 1: d the distance from the plane of
-                                            the lens, along its axis; from a camera without such a plane, the distance.
+#define BDPT_OUTPUT_DEPTH 19             /* in place of colours the means of d, d² and 1: d the distance from the camera
+                                            along its axis; of fisheyes and panoramas, the distance from the point.
                                             The first over the third is the mean of what is seen */
 #define BDPT_OUTPUT_POSITION 20          /* x, y, z in the world */
 #define BDPT_OUTPUT_INSTANCE_COVERAGE 21 /* no plane: whose surfaces the samples met, bdpt_instance_id; see
@@ -1180,7 +1180,7 @@ typedef struct bdpt_film_desc {
   bdpt_normalization normalization;
   uint32_t groups;         /* independent groups of passes, pass p belongs to group p mod groups: [1,16]; 0 = 2. The
                               estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more; 48
-                              for each plane of a sensor that is no camera; with outputs of a camera 48 and 96 for
+                              for each plane of a sensor that is no camera; with outputs of a camera 32, and 96 for
                               each plane; and 272 bytes per pixel for each output of coverage */
   uint32_t pyramid_edges;  /* keep an image of each technique (s,t) of paths of up to so many edges: [0,15];
                               96 bytes per pixel and technique, of which k edges have k + 2. 0 = none */

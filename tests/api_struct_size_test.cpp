@@ -313,6 +313,10 @@ TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
   });
   check<bdpt_display_desc>("bdpt_display_desc", 48, make<bdpt_display_desc>(),
                            [&](bdpt_display_desc* d) { return bdpt_image_display(d, pixel, 1, 1); });
+  bdpt_denoise_desc denoise = make<bdpt_denoise_desc>();
+  denoise.width = denoise.height = 1, denoise.color = denoise.output = pixel;
+  if (bdpt_has_denoiser())
+    check<bdpt_denoise_desc>("bdpt_denoise_desc", 56, denoise, [&](bdpt_denoise_desc* d) { return bdpt_denoise(d); });
   const bdpt::TempFolder folder;
   const bdpt_image_layer layer{nullptr, pixel};
   bdpt_exr_desc exr = make<bdpt_exr_desc>();

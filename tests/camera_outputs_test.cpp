@@ -126,6 +126,22 @@ TEST(CameraOutputs, DepthIsAlongTheAxisAndNoneWhereNothingIs) {
   }
 }
 
+TEST(CameraOutputs, DepthIsFromWhereTheCameraIsThen) {
+  Builder b;
+  b.add(scenes::quad(Vec3(-9, -9, -2), Vec3(9, -9, -2), Vec3(9, 9, -2), Vec3(-9, 9, -2)), scenes::diffuse(0.5f));
+  b.point(Vec3(0), Rgb(1));
+  CameraDesc desc = scenes::camera_desc({Vec3(0), Vec3(0, 0, -1), 60}, 8, 8);
+  desc.end = desc.transform;
+  desc.end.m[11] = 1;  // a unit back
+  desc.moves = true;
+  const std::vector<float> depth = plane(render_outputs(b, camera(desc, {seen(Seen::Depth)}), 64), 1);
+  double mean = 0, square = 0;
+  for (size_t i = 0; i < 64; ++i) mean += double(depth[3 * i]) / 64, square += double(depth[3 * i + 1]) / 64;
+  const double samples = 64 * 64;
+  EXPECT_NEAR(mean, 2.5, 5 / std::sqrt(12 * samples));
+  EXPECT_NEAR(square, 6.25 + 1.0 / 12, 5 * std::sqrt(2.09 / samples));  // variance of d²: 6.25 / 3 + 1 / 180
+}
+
 TEST(CameraOutputs, AlbedoIsThePartOfLightThatIsSentOn) {
   struct Case {
     const char* name;
@@ -270,8 +286,8 @@ TEST(CameraOutputs, UnfilteredPlanesMixNoPixels) {
   b.add(scenes::quad(Vec3(-9, -9, -1), Vec3(0, -9, -1), Vec3(0, 9, -1), Vec3(-9, 9, -1)), scenes::diffuse(0.8f));
   b.add(scenes::quad(Vec3(0, -9, -1), Vec3(9, -9, -1), Vec3(9, 9, -1), Vec3(0, 9, -1)), scenes::diffuse(0.2f));
   b.point(Vec3(0), Rgb(1));
-  const SensorPointer sensor = camera({Vec3(0), Vec3(0, 0, -1), 60}, 8, 8,
-                                      {seen(Seen::Albedo), seen(Seen::Albedo, true), light(true, true, ~0ull, true)});
+  const SensorPointer sensor =
+      camera({Vec3(0), Vec3(0, 0, -1), 60}, 8, 8, {seen(Seen::Albedo), seen(Seen::Albedo, true)});
   FilmDesc film = film_for(*sensor);
   film.filter.type = FilterType::Gaussian;
   film.filter.radius = 2;
@@ -287,8 +303,33 @@ TEST(CameraOutputs, UnfilteredPlanesMixNoPixels) {
     }
     EXPECT_LT(filtered[3 * (8 * 4 + 3)], 0.75f);
     EXPECT_GT(filtered[3 * (8 * 4 + 4)], 0.25f);
-    // The light image, too: what falls into a pixel's neighbours is not in it.
-    EXPECT_NE(plane(picture, 0), plane(picture, 3));
+  }
+}
+
+// What falls into a pixel's neighbours is not in it, whether eye or light subpaths bring it there.
+TEST(CameraOutputs, UnfilteredLightStaysInItsPixel) {
+  Builder b;
+  b.add(scenes::quad(Vec3(-9, -9, -1), Vec3(0, -9, -1), Vec3(0, 9, -1), Vec3(-9, 9, -1)), scenes::diffuse(0));
+  b.add(scenes::quad(Vec3(0, -9, -1), Vec3(9, -9, -1), Vec3(9, 9, -1), Vec3(0, 9, -1)), scenes::diffuse(0.8f));
+  b.point(Vec3(0), Rgb(1));
+  const SensorPointer sensor =
+      camera({Vec3(0), Vec3(0, 0, -1), 60}, 8, 8, {light(true, true, ~0ull, true), light(true, true)});
+  FilmDesc film = film_for(*sensor);
+  film.filter.type = FilterType::Gaussian;
+  film.filter.radius = 2;
+  for (bool from_lights : {false, true}) {
+    RenderDesc desc;
+    desc.transport = options_for(mask_of([&](int, int t) { return (t <= 1) == from_lights; }), 3);
+    const Picture picture = render(b.build(), sensor, film, desc, 64);
+    const std::vector<float> unfiltered = plane(picture, 1), filtered = plane(picture, 2);
+    EXPECT_EQ(filtered, plane(picture, 0));
+    for (size_t i = 0; i < 64; ++i) {
+      const bool is_black = i % 8 < 4;
+      EXPECT_EQ(unfiltered[3 * i] == 0, is_black) << from_lights << ' ' << i;
+      if (i % 8 == 3) {
+        EXPECT_GT(filtered[3 * i], 0) << from_lights << ' ' << i;
+      }
+    }
   }
 }
 

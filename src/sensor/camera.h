@@ -43,6 +43,7 @@ class Camera : public Sensor {
   bool moves() const override { return desc_.moves; }
   Rigid motion(float time) const override { return motion_.at(time); }
   const std::vector<OutputPlanes>& outputs() const override { return desc_.outputs; }
+  float depth(const Vec3& p) const override { return dot(p - origin_, forward_); }
 
  protected:
   // From coordinates to the right, upward and ahead to the world's.

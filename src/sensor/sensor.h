@@ -84,7 +84,7 @@ enum class Seen {
   // Of the surface that a camera's eye subpath meets first; nothing where there is none, or a medium scatters before.
   Albedo,    // the part of light that it sends on, whichever way, seen from there
   Normal,    // its shading normal, on the side that is seen
-  Depth,     // how far off the plane of the lens it is, the square of that, and 1
+  Depth,     // how far off it is, see Sensor::depth, the square of that, and 1
   Position,  // in the world
   Instance,  // whose it is: coverage, and no planes
   Material,
@@ -134,6 +134,8 @@ class Sensor {
   // evenly in `bounds`, which enters W_e and the density of directions: a pixel's value is the mean over its filter.
   // weight = 0: nothing is seen there.
   virtual EyeStart start(const FilmPosition&, const float[2], const PixelRect&) const { return {}; }
+  // How far off a point of the scene is: along the axis, or from a camera that looks all around, the distance.
+  virtual float depth(const Vec3&) const { return 0; }
   // Chooses z0 for t = 1; false where x is not in the picture.
   virtual bool sample_toward(const Vec3&, const float[2], const PixelRect&, SensorPoint&) const { return false; }
   // t = 0: whether the segment from origin along the unit direction, up to tmax, passes through the sensor.

@@ -28,7 +28,9 @@ void Block::see_surface(const Walker& w, const Hit& hit, const Surface& surface)
         break;
       }
       case Seen::Depth: {
-        const float d = length(surface.p - z0.p) * z0.cosine;
+        const Sensor& camera = engine_.sensor;
+        const float d =
+            camera.depth(camera.moves() ? camera.motion(eye_.time(w.sample)).back_point(surface.p) : surface.p);
         value = {d, d * d, 1};
         break;
       }
