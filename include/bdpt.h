@@ -792,6 +792,8 @@ typedef struct bdpt_lens_surface {
   float aperture;  /* diameter through which light passes, above 0, to 1e6; at most 2 |radius| */
 } bdpt_lens_surface;
 
+struct bdpt_output_desc;
+
 typedef struct bdpt_camera_desc {
   uint32_t struct_size;
   uint32_t width, height;   /* of the whole image, 1 to 65536 pixels */
@@ -820,6 +822,9 @@ typedef struct bdpt_camera_desc {
   const bdpt_lens_surface *lens_surfaces;  /* LENS: from the scene to the film; copied */
   float end_transform[12];  /* like transform, when the shutter closes: between, the camera moves and turns evenly. Twelve
                                zeros: it does not move */
+  uint32_t output_count;    /* beside the picture, which is plane 0 of the film: 0 to 63 */
+  uint32_t output_stride;   /* bytes; 0 = struct_size of the first */
+  const struct bdpt_output_desc *outputs; /* see "Outputs of cameras"; planes 1, 2 ... in this order; copied */
 } bdpt_camera_desc;
 
 /* Creates a camera. A pixel measures the radiance that arrives, averaged by the filter, and over the lens. With
@@ -866,11 +871,27 @@ typedef int32_t bdpt_output_kind;
                                             paths says; of all kinds of lights, by direct lighting alone, whatever
                                             techniques take part: it costs no ray. A shadow mask of group g is IRRADIANCE
                                             with BDPT_LIGHT_PATHS_DIRECT over this, both of group g; 1 where both are 0 */
+/* Outputs of cameras, of the same samples as the picture. A plane each, but for those of coverage. All plans but mmlt
+ * measure them. What eye subpaths meet first is a surface that opacity lets them meet, seen by every technique, whatever
+ * light there is, and through no mirror and no glass; a sample counts 0 where there is none, or a medium scatters
+ * before. Means are over the pixel's samples, as the film's filter weighs them. */
+#define BDPT_OUTPUT_RADIANCE 16          /* the part of the picture that paths and groups name. DIRECT is light of at most
+                                            two edges: that of lights that are seen, and that of one reflection */
+#define BDPT_OUTPUT_ALBEDO 17            /* the part of light, in [0,1], that the surface sends on, reflected or transmitted,
+                                            for the direction from which it is seen: of a diffuse surface its reflectance */
+#define BDPT_OUTPUT_NORMAL 18            /* x, y, z: the shading normal, in the world, on the side that is seen */
+#define BDPT_OUTPUT_DEPTH 19             /* in place of colours the means of d, d² and 1: d the distance from the camera
+                                            along its axis; of fisheyes and panoramas, the distance from the point.
+                                            The first over the third is the mean of what is seen */
+#define BDPT_OUTPUT_POSITION 20          /* x, y, z in the world */
+#define BDPT_OUTPUT_INSTANCE_COVERAGE 21 /* no plane: whose surfaces the samples met, bdpt_instance_id; see
+                                            bdpt_film_read_coverage */
+#define BDPT_OUTPUT_MATERIAL_COVERAGE 22 /* the same, bdpt_material_id. Of each of these two a camera has one at most */
 #define BDPT_OUTPUT_NONE (-1)            /* bdpt_plane_info: a camera's pixels, or a measurement of your own */
 
 typedef int32_t bdpt_light_paths;
 #define BDPT_LIGHT_PATHS_ALL 0
-#define BDPT_LIGHT_PATHS_DIRECT 1   /* light that comes straight from where it is emitted */
+#define BDPT_LIGHT_PATHS_DIRECT 1   /* light that comes straight from where it is emitted to what is measured or seen */
 #define BDPT_LIGHT_PATHS_INDIRECT 2 /* all other */
 
 typedef struct bdpt_output_desc {
@@ -881,18 +902,19 @@ typedef struct bdpt_output_desc {
                       > 0 */
   uint64_t groups; /* bit g: the light of group g counts (see bdpt_light_desc); 0 = all groups */
   uint32_t size;   /* of octahedral outputs: texels along a side, [1,32]; 0 = 8. Of others: 0 */
-  uint32_t reserved;
+  uint32_t unfiltered; /* of cameras' planes: 1 = a sample counts for its own pixel alone, whatever the film's filter, as
+                          denoisers need it (see bdpt_denoise); 0 = filtered like the picture. Of others: 0 */
 } bdpt_output_desc;
 
 /* What a plane of the film measures. With bdpt_scene_get_light it tells which lights are in it: those whose group's bit
  * is set in groups. A host that draws them at run time must not add them again. */
 typedef struct bdpt_plane_info {
   uint32_t struct_size;
-  bdpt_output_kind kind;  /* BDPT_OUTPUT_NONE for a sensor without outputs */
+  bdpt_output_kind kind;  /* BDPT_OUTPUT_NONE for a sensor without outputs, and a camera's picture */
   bdpt_light_paths paths;
   float reach;            /* of openness; 0 = without end */
   uint64_t groups;        /* bit g: light of group g; 0: of none, as for openness */
-  uint32_t output;        /* of those asked for */
+  uint32_t output;        /* of those asked for; 0 for a camera's picture, too */
   uint32_t coefficient;   /* plane within the output, as of spherical harmonics */
   uint64_t reserved;
 } bdpt_plane_info;
@@ -1158,7 +1180,8 @@ typedef struct bdpt_film_desc {
   bdpt_normalization normalization;
   uint32_t groups;         /* independent groups of passes, pass p belongs to group p mod groups: [1,16]; 0 = 2. The
                               estimate of variance needs two. Memory: 112 bytes per pixel and group, and once more; 48
-                              for each plane of a sensor that is no camera */
+                              for each plane of a sensor that is no camera; with outputs of a camera 32, and 96 for
+                              each plane; and 272 bytes per pixel for each output of coverage */
   uint32_t pyramid_edges;  /* keep an image of each technique (s,t) of paths of up to so many edges: [0,15];
                               96 bytes per pixel and technique, of which k edges have k + 2. 0 = none */
 } bdpt_film_desc;
@@ -1218,8 +1241,8 @@ typedef struct bdpt_film_info {
                               var / (mean² + 0.01 M²) with M the mean of the image; -1 while unknown (fewer than two
                               groups hold passes) */
   uint64_t measured;       /* measurements: pixels, or texels that cover some surface */
-  uint32_t planes;         /* of three colours; 1 for a camera */
-  uint32_t reserved;
+  uint32_t planes;         /* of three colours; 1 for a camera without outputs */
+  uint32_t coverages;      /* outputs of coverage */
 } bdpt_film_info;
 
 /* Tells what a film holds.
@@ -1236,6 +1259,7 @@ typedef int32_t bdpt_layer;
 #define BDPT_LAYER_TECHNIQUE 4 /* 3 channels: the weighted contribution of technique (s,t) of the pyramid */
 #define BDPT_LAYER_REJECTED 5  /* 3 channels alike: how many contributions to the pixel, in any plane, were left out, not
                                   being finite or being too large; a start that cannot be used counts as one */
+#define BDPT_LAYER_SAMPLES 6   /* 3 channels alike: the eye samples of the pixel. Of cameras with outputs */
 
 typedef struct bdpt_read_desc {
   uint32_t struct_size;
@@ -1246,7 +1270,7 @@ typedef struct bdpt_read_desc {
   uint32_t flip;             /* 1: the bottom row first */
   uint32_t include_partial;  /* 1: with the blocks of a pass that a cancel interrupted, each weighed as if the pass were
                                 whole; 0: whole passes only */
-  uint32_t plane;            /* of the sensor's outputs, one after another; of a camera, 0 */
+  uint32_t plane;            /* of the sensor's outputs, one after another; of a camera 0 is the picture */
   uint32_t reserved;
 } bdpt_read_desc;
 
@@ -1254,6 +1278,31 @@ typedef struct bdpt_read_desc {
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (also when capacity, in bytes, is too small, or the film has no such layer).
  * Threads: one thread per object. Callbacks: allowed. Ownership: copies into pixels. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_film_read(const bdpt_film *film, const bdpt_read_desc *desc, float *pixels, uint64_t capacity);
+
+/* Which ids to read, and where. */
+typedef struct bdpt_coverage_desc {
+  uint32_t struct_size;
+  uint32_t coverage;        /* of the camera's outputs of coverage, in their order: 0 or 1 */
+  uint32_t rect[4];         /* x0, y0, x1, y1 within the film; four zeros = all */
+  uint32_t ranks;           /* for each pixel, 1 to 8 */
+  uint32_t include_partial; /* as in bdpt_read_desc */
+} bdpt_coverage_desc;
+
+typedef struct bdpt_coverage {
+  uint64_t id; /* 0 where part is 0 */
+  float part;  /* of the pixel's samples, [0,1] */
+  uint32_t reserved;
+} bdpt_coverage;
+
+/* Reads the ids of each pixel, by rows, `ranks` for each, those with the largest parts first. Samples count for their own
+ * pixel, whatever the filter. A film keeps 8 ids of a pixel, with all their samples: of more, those whose hashes come
+ * first, so that neither threads nor merging decide which. *lost, unless NULL, is set to the part of all samples of
+ * these pixels whose ids were left out, by this limit or by ranks. Entries: capacity of them, at least ranks for each
+ * pixel.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (also for a film without such an output). Threads: one thread per object.
+ * Callbacks: allowed. Ownership: copies into entries and *lost. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_film_read_coverage(const bdpt_film *film, const bdpt_coverage_desc *desc,
+                                                        bdpt_coverage *entries, uint64_t capacity, double *lost);
 
 /* Empties a film, so that another scene or other options may fill it.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _IN_USE (a render holds the film), _REENTRANT. Threads: one thread per object.
@@ -1788,6 +1837,33 @@ typedef struct bdpt_exposure_desc {
  * radiance, whatever the exposure.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: any thread. Callbacks: allowed. Ownership: writes *stops. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_exposure_stops(const bdpt_exposure_desc *desc, float *stops);
+
+/* --- Denoising, by Open Image Denoise, if its library (libOpenImageDenoise, version 1.4 or 2) is there at run time --- */
+
+/* Whether it is there: 1 or 0; the first call looks for it. Returns: that. Threads: any thread. Callbacks: allowed.
+ * Ownership: none. */
+BDPT_API int32_t bdpt_has_denoiser(void);
+
+/* Images of 3 floats to a pixel, packed, row 0 the top. The denoiser takes neighbouring pixels' noise for independent,
+ * which a filter that spreads samples over several pixels makes untrue: feed it planes with `unfiltered`, or those of a
+ * film with the box filter of half a pixel. RADIANCE with the light image is right (t <= 1 falls into one pixel each). */
+typedef struct bdpt_denoise_desc {
+  uint32_t struct_size;
+  uint32_t width, height;
+  uint32_t clean;      /* 1: albedo and normal are free of noise, and every detail of them is kept; 0: they are noisy */
+  const float *color;  /* linear radiance, any range; as BDPT_OUTPUT_RADIANCE */
+  const float *albedo; /* as BDPT_OUTPUT_ALBEDO, or NULL */
+  const float *normal; /* as BDPT_OUTPUT_NORMAL, or NULL; needs albedo */
+  float *output;       /* may be color */
+  uint32_t threads;    /* 0 = one per core; they are the denoiser's own */
+  uint32_t reserved;
+} bdpt_denoise_desc;
+
+/* Removes the noise of a picture, on the processor. What it makes is a guess: biased, and pleasing.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _UNSUPPORTED (Open Image Denoise is not there, or too old), _OUT_OF_MEMORY,
+ * _INTERNAL (it failed; the message is its own). Threads: any thread. Callbacks: not allowed.
+ * Ownership: reads color, albedo and normal, writes output. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_denoise(const bdpt_denoise_desc *desc);
 
 /* One layer of an image file: 3 floats to a pixel, packed, row 0 the top. */
 typedef struct bdpt_image_layer {

@@ -85,7 +85,7 @@ TEST(ApiBake, LightmapFieldsAreChecked) {
   refused([](Asked& a) { a.add(BDPT_OUTPUT_UNSHADOWED + 1); });
   refused([](Asked& a) { a.add(BDPT_OUTPUT_DISTANCE_OCTAHEDRAL); });  // without reach
   refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].size = 33; });
-  refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].reserved = 1; });
+  refused([](Asked& a) { a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[0].unfiltered = 1; });
   refused([](Asked& a) { a.add(BDPT_OUTPUT_IRRADIANCE), a.outputs[0].size = 8; });
   refused([](Asked& a) {
     for (int i = 0; i < 2; ++i) a.add(BDPT_OUTPUT_RADIANCE_OCTAHEDRAL), a.outputs[size_t(i)].size = 23;

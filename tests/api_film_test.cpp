@@ -124,6 +124,7 @@ TEST_F(ApiFilm, ReadsThatDoNotFitAreRefused) {
   refused([](auto&) {}, enough - 1);
   refused([](auto&) {}, 0);
   refused([](auto& d) { d.layer = BDPT_LAYER_REJECTED + 1; }, enough);
+  refused([](auto& d) { d.layer = BDPT_LAYER_SAMPLES + 1; }, enough);
   refused([](auto& d) { d.layer = -1; }, enough);
   refused([](auto& d) { d.flip = 2; }, enough);
   refused([](auto& d) { d.include_partial = 2; }, enough);

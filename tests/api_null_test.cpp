@@ -216,6 +216,11 @@ TEST(ApiNull, FilmDataCallsRefuseIt) {
   EXPECT_INVALID(bdpt_film_read(nullptr, &read, pixels, sizeof pixels));
   EXPECT_INVALID(bdpt_film_read(world.film.get(), nullptr, pixels, sizeof pixels));
   EXPECT_INVALID(bdpt_film_read(world.film.get(), &read, nullptr, 1 << 20));
+  const bdpt_coverage_desc coverage = make<bdpt_coverage_desc>();
+  bdpt_coverage entry{};
+  EXPECT_INVALID(bdpt_film_read_coverage(nullptr, &coverage, &entry, 1, nullptr));
+  EXPECT_INVALID(bdpt_film_read_coverage(world.film.get(), nullptr, &entry, 1, nullptr));
+  EXPECT_INVALID(bdpt_film_read_coverage(world.film.get(), &coverage, nullptr, 1, nullptr));
   EXPECT_INVALID(bdpt_film_clear(nullptr));
   EXPECT_INVALID(bdpt_film_merge(nullptr, world.film.get()));
   EXPECT_INVALID(bdpt_film_merge(world.film.get(), nullptr));
@@ -243,6 +248,10 @@ TEST(ApiNull, ImageCallsRefuseIt) {
   const bdpt_image_layer layer{nullptr, nullptr};
   exr.layers = &layer;
   EXPECT_INVALID(bdpt_image_write_exr("image.exr", &exr));
+  EXPECT_INVALID(bdpt_denoise(nullptr));
+  bdpt_denoise_desc denoise = make<bdpt_denoise_desc>();
+  denoise.width = denoise.height = 1, denoise.color = pixels;
+  EXPECT_INVALID(bdpt_denoise(&denoise));
   EXPECT_INVALID(bdpt_image_write_png(nullptr, pixels, 1, 1));
   EXPECT_INVALID(bdpt_image_write_png("image.png", nullptr, 1, 1));
 }

@@ -313,6 +313,30 @@ TEST(ApiStructSize, RenderAndImageStructsAreReadBySize) {
   });
   check<bdpt_display_desc>("bdpt_display_desc", 48, make<bdpt_display_desc>(),
                            [&](bdpt_display_desc* d) { return bdpt_image_display(d, pixel, 1, 1); });
+  bdpt_output_desc ids = make<bdpt_output_desc>();
+  ids.kind = BDPT_OUTPUT_INSTANCE_COVERAGE;
+  check<bdpt_output_desc>("bdpt_output_desc of a camera", 24, ids, [&](bdpt_output_desc* d) {
+    bdpt_camera_desc camera = camera_desc();
+    camera.outputs = d, camera.output_count = 1;
+    bdpt_sensor* created = nullptr;
+    const bdpt_result result = bdpt_camera_create(world.context.get(), &camera, &created);
+    bdpt_sensor_release(created);
+    return result;
+  });
+  bdpt_camera_desc camera = camera_desc(1, 1);
+  camera.outputs = &ids, camera.output_count = 1;
+  const Sensor counting = make_camera(world.context.get(), camera);
+  const Film counts = make_film(counting.get());
+  bdpt_coverage_desc coverage = make<bdpt_coverage_desc>();
+  coverage.ranks = 1;
+  bdpt_coverage entry{};
+  check<bdpt_coverage_desc>("bdpt_coverage_desc", 32, coverage, [&](bdpt_coverage_desc* d) {
+    return bdpt_film_read_coverage(counts.get(), d, &entry, 1, nullptr);
+  });
+  bdpt_denoise_desc denoise = make<bdpt_denoise_desc>();
+  denoise.width = denoise.height = 1, denoise.color = denoise.output = pixel;
+  if (bdpt_has_denoiser())
+    check<bdpt_denoise_desc>("bdpt_denoise_desc", 56, denoise, [&](bdpt_denoise_desc* d) { return bdpt_denoise(d); });
   const bdpt::TempFolder folder;
   const bdpt_image_layer layer{nullptr, pixel};
   bdpt_exr_desc exr = make<bdpt_exr_desc>();

@@ -58,7 +58,12 @@ inline FilmDesc film_desc(int width, int height, int pyramid_edges = 0) {
 // The film of a sensor.
 inline FilmDesc film_for(const Sensor& sensor) {
   FilmDesc d = film_desc(sensor.width(), sensor.height());
-  if (!sensor.is_local()) return d;
+  if (!sensor.is_local()) {
+    const FilmPlanes planes(sensor);
+    d.planes = planes.planes, d.counts = planes.counts, d.unfiltered = planes.unfiltered;
+    d.coverages = planes.coverages;
+    return d;
+  }
   d.planes = sensor.planes();
   d.one_image = true;
   d.measured = sensor.count();

@@ -151,6 +151,19 @@ expect 0 '' render box.pbrt -o cube.exr --spp 1 --camera cube --width 48 --heigh
 expect 3 '^bdpt: .*six square faces' render box.pbrt -o x.exr --spp 1 --camera cube
 expect 3 '^bdpt: .*field_height' render box.pbrt -o x.exr --spp 1 --camera orthographic
 expect 2 "^bdpt: .*'torus' is not known" render box.pbrt -o x.exr --camera torus
+
+# Layers beside the picture, which stays what it is; a denoiser that is not there is told of before the render.
+expect 0 '' render box.pbrt -o layers.exr --spp 4 --outputs albedo,normal,depth,direct,group:0,cryptoobject,samples
+"$BDPT_TOOL" compare layers.exr full.exr --json >same.json || fail "compare"
+grep -q '"mse": 0,' same.json || fail "outputs changed the picture: $(cat same.json)"
+expect 2 "^bdpt: --outputs: 'colour' is not known" render box.pbrt -o x.exr --outputs colour
+expect 2 "^bdpt: --outputs: 'group:64' names no group" render box.pbrt -o x.exr --outputs group:64
+"$BDPT_TOOL" render box.pbrt -o denoised.exr --spp 1 --denoise >stdout.txt 2>stderr.txt
+case $? in
+  0) [ -s denoised.exr ] || fail "--denoise wrote nothing" ;;
+  2) grep -q '^bdpt: --denoise needs Open Image Denoise' stderr.txt || fail "--denoise: $(cat stderr.txt)" ;;
+  *) fail "--denoise: $(cat stderr.txt)" ;;
+esac
 expect 0 '' resolve sum.film -o sum.exr --png photograph.png --iso 200 --shutter 0.5 --f-number 1.4
 cmp -s photograph.png sum.png && fail "the exposure changed nothing"
 expect 2 '^bdpt: --iso.*f_number' resolve sum.film -o sum.exr --png x.png --shutter 0.5

@@ -1,5 +1,6 @@
 #include "sensor/camera.h"
 
+#include "api/camera_outputs.h"
 #include "api/check.h"
 #include "api/desc.h"
 #include "api/handles.h"
@@ -201,6 +202,7 @@ CameraDesc read_camera(const bdpt_camera_desc& desc) {
   read_field(subject, desc, camera);
   read_aperture(subject, desc, camera);
   if (has(desc, kLens)) read_lens(subject, desc, camera);
+  camera.outputs = read_camera_outputs(subject, desc);
   return camera;
 }
 

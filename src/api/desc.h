@@ -57,6 +57,7 @@ BDPT_VERSION_1_SIZE(bdpt_film_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_film_info, 96);
 BDPT_VERSION_1_SIZE(bdpt_memory_estimate, 40);
 BDPT_VERSION_1_SIZE(bdpt_read_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_coverage_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_render_desc, 184);
 BDPT_VERSION_1_SIZE(bdpt_output_sink, 40);
 BDPT_VERSION_1_SIZE(bdpt_advance_desc, 64);
@@ -75,16 +76,17 @@ BDPT_VERSION_1_SIZE(bdpt_lightmap_encode_report, 24);
 BDPT_VERSION_1_SIZE(bdpt_display_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_exposure_desc, 24);
 BDPT_VERSION_1_SIZE(bdpt_exr_desc, 32);
+BDPT_VERSION_1_SIZE(bdpt_denoise_desc, 56);
 #undef BDPT_VERSION_1_SIZE
 
 // The library writes these; version 1 is the only one so far.
 static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 // Arrays and parts of other structs carry no size of their own: these can never change.
 static_assert(sizeof(bdpt_scattering_place) == 32 && sizeof(bdpt_scattering_value) == 20);
-static_assert(sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 && sizeof(bdpt_point) == 32 &&
-              sizeof(bdpt_lens_surface) == 16 &&
-              sizeof(bdpt_measurement_start) == 56 && sizeof(bdpt_measurement_place) == 48 &&
-              sizeof(bdpt_measurement_landing) == 56 && sizeof(bdpt_measurement_landed) == 32);
+static_assert(sizeof(bdpt_coverage) == 16 && sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 &&
+              sizeof(bdpt_point) == 32 && sizeof(bdpt_lens_surface) == 16 && sizeof(bdpt_measurement_start) == 56 &&
+              sizeof(bdpt_measurement_place) == 48 && sizeof(bdpt_measurement_landing) == 56 &&
+              sizeof(bdpt_measurement_landed) == 32);
 static_assert(sizeof(bdpt_chromaticities) == 32);
 static_assert(sizeof(bdpt_uv_instance) == 80 && sizeof(bdpt_lightmap_image) == 40);
 

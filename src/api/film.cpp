@@ -30,6 +30,7 @@ bdpt_film_info info_of(const Film& film) {
   info.normalization =
       desc.normalize_by_weights ? BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED : BDPT_NORMALIZATION_SAMPLE_COUNT;
   info.planes = uint32_t(desc.planes);
+  info.coverages = uint32_t(desc.coverages);
   info.measured = desc.measured > 0 ? desc.measured : uint64_t(desc.width) * uint64_t(desc.height);
   info.rejected = film.rejected();
   info.relative_error = film.relative_error();

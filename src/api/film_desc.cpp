@@ -24,7 +24,7 @@ FilterDesc read_filter(const Subject& subject, const bdpt_film_desc& desc) {
 }  // namespace
 
 SensorShape shape_of(const Sensor& sensor) {
-  return {sensor.width(), sensor.height(), sensor.planes(), sensor.count(), sensor.is_local(), sensor.has_seams()};
+  return {sensor.width(), sensor.height(), FilmPlanes(sensor), sensor.count(), sensor.is_local(), sensor.has_seams()};
 }
 
 FilmDesc read_film(const bdpt_film_desc& desc, const SensorShape& sensor) {
@@ -42,10 +42,13 @@ FilmDesc read_film(const bdpt_film_desc& desc, const SensorShape& sensor) {
   const bool is_pixel = film.filter.type == FilterType::Box && (film.filter.radius == 0 || film.filter.radius == 0.5f);
   if (sensor.has_seams && !is_pixel)
     subject.refuse("filter", "would mix the faces of a cube map: leave filter and filter_radius zero");
+  film.planes = sensor.planes.planes;
+  film.unfiltered = sensor.planes.unfiltered;
+  film.counts = sensor.planes.counts;
+  film.coverages = sensor.planes.coverages;
   if (!sensor.is_local) return film;
   if (!is_pixel)
     subject.refuse("filter", "is none for a sensor that has no pixels: leave filter and filter_radius zero");
-  film.planes = sensor.planes;
   film.one_image = true;
   film.measured = sensor.count;
   return film;

@@ -9,7 +9,8 @@ namespace bdpt {
 
 // What a film must know of a sensor.
 struct SensorShape {
-  int width, height, planes;
+  int width, height;
+  FilmPlanes planes;
   uint64_t count;
   bool is_local;
   bool has_seams = false;

@@ -14,7 +14,9 @@ constexpr uint64_t kMaxRowStride = uint64_t(1) << 40;
 
 // (s,t) must be a technique that the film keeps an image of.
 void check_layer(const Subject& subject, const bdpt_read_desc& desc, const FilmDesc& film) {
-  subject.check_enum("layer", desc.layer, BDPT_LAYER_REJECTED);
+  subject.check_enum("layer", desc.layer, BDPT_LAYER_SAMPLES);
+  if (desc.layer == BDPT_LAYER_SAMPLES && !film.counts)
+    subject.refuse("layer", "is the number of samples, which films of cameras with outputs alone keep");
   if (film.one_image && (desc.layer == BDPT_LAYER_EYE || desc.layer == BDPT_LAYER_LIGHT))
     subject.refuse("layer",
                    "is the eye or the light image alone, which films of sensors without pixels do not keep: "

@@ -183,7 +183,7 @@ bdpt_result bdpt_lightmap_estimate(bdpt_scene* scene, const bdpt_lightmap_desc* 
     const auto outputs = read_outputs(subject, d.outputs, d.output_count, d.output_stride, OutputKind::Irradiance);
     const bool with_chi = lightmap.burial.rays > 0;
     const auto bytes_of = [&](const PixelRect& window, uint64_t fragments) {
-      const SensorShape shape{window.width(), window.y1 - window.y0, Outputs(outputs).planes(), 0, true};
+      const SensorShape shape{window.width(), window.y1 - window.y0, FilmPlanes(Outputs(outputs).planes()), 0, true};
       const FilmDesc film_desc = read_film(f, shape);
       bdpt_memory_estimate e{};
       e.sensor = TexelMap::bytes_for(window.count(), fragments, with_chi);

@@ -10,7 +10,8 @@ namespace {
 constexpr uint32_t kMostTexels = 32, kUsualTexels = 8;  // along a side
 
 void read_size(const Subject& subject, const bdpt_output_desc& desc, OutputDesc& output) {
-  subject.check_reserved("reserved", desc.reserved);
+  if (desc.unfiltered != 0)
+    subject.refuse("unfiltered", "is ", desc.unfiltered, ", and the sensor is no camera: give 0");
   subject.check_range("size", desc.size, 0, kMostTexels);
   if (is_octahedral(output.kind)) {
     output.size = int(desc.size == 0 ? kUsualTexels : desc.size);
@@ -35,6 +36,8 @@ std::vector<OutputDesc> read_outputs(const Subject& sensor, const bdpt_output_de
     const std::string name = "output " + std::to_string(i);
     const Subject subject(name.c_str(), nullptr);
     const bdpt_output_desc d = read_struct(&element(outputs, i, stride), name.c_str());
+    if (d.kind >= BDPT_OUTPUT_RADIANCE && d.kind <= BDPT_OUTPUT_MATERIAL_COVERAGE)
+      subject.refuse("kind", "is ", d.kind, ", an output of cameras: ask for 0 to ", BDPT_OUTPUT_UNSHADOWED);
     subject.check_enum("kind", d.kind, BDPT_OUTPUT_UNSHADOWED);
     subject.check_enum("paths", d.paths, BDPT_LIGHT_PATHS_INDIRECT);
     subject.check_not_negative("reach", &d.reach, 1);

@@ -11,10 +11,11 @@ bdpt_result bdpt_sensor_get_plane(const bdpt_sensor* sensor, uint32_t plane, bdp
       fail(ErrorCode::InvalidArgument, "plane is ", plane, ": the sensor has ", s.planes(), " planes");
     bdpt_plane_info result{};
     for (const OutputPlanes& o : s.outputs()) {
-      if (plane >= uint32_t(o.first + o.count)) {
+      if (o.count == 0 || plane >= uint32_t(o.first + o.count)) {
         ++result.output;
         continue;
       }
+      if (!s.is_local() && result.output > 0) --result.output;  // the picture comes first
       result.kind = o.kind < 0 ? BDPT_OUTPUT_NONE : o.kind;
       result.coefficient = plane - uint32_t(o.first);
       result.paths = o.indirect ? o.direct ? BDPT_LIGHT_PATHS_ALL : BDPT_LIGHT_PATHS_INDIRECT : BDPT_LIGHT_PATHS_DIRECT;

@@ -21,7 +21,7 @@ class Collector {
     desc_.instances.reserve(builder_.instances.size());
     for (const auto& [id, instance] : builder_.instances)
       desc_.instances.push_back({instance.label, shape(instance.shape), material(instance.material), instance.transform,
-                                 instance.end, instance.moves, id, instance.invisible});
+                                 instance.end, instance.moves, id, instance.material, instance.invisible});
     for (const auto& [id, entry] : builder_.lights) {
       LightDesc& light = desc_.lights.emplace_back(entry.light);
       light.id = id;

@@ -10,6 +10,7 @@ namespace bdpt {
 uint64_t FilmDesc::hash() const {
   uint64_t h = hash_values(width, height, int(filter.type), normalize_by_weights, groups, pyramid_edges);
   if (one_image) h = hash_combine(h, hash_values(planes, measured));
+  if (counts) h = hash_combine(h, hash_values(planes, unfiltered, coverages));
   const float numbers[] = {filter.radius, filter.a, filter.b};
   return hash_bytes(numbers, sizeof(numbers), h);
 }
@@ -18,7 +19,7 @@ uint64_t Film::bytes_for(const FilmDesc& desc) {
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height);
   const uint64_t k = uint64_t(desc.pyramid_edges);
   return pixels * (sizeof(Accumulator) * PixelLayout(desc).size() * uint64_t(desc.groups + 1) +
-                   sizeof(RgbSums) * 2 * (k * (k + 5) / 2));
+                   sizeof(RgbSums) * 2 * (k * (k + 5) / 2) + sizeof(PixelCoverage) * 2 * uint64_t(desc.coverages));
 }
 
 Film::Film(const FilmDesc& desc, std::shared_ptr<MemoryMeter> meter)
@@ -30,6 +31,8 @@ Film::Film(const FilmDesc& desc, std::shared_ptr<MemoryMeter> meter)
   pass_.resize(pixels() * layout_.size());
   pyramid_.resize(pixels() * size_t(technique_count()));
   pyramid_pass_.resize(pyramid_.size());
+  coverage_.resize(pixels() * size_t(desc.coverages));
+  pass_coverage_.resize(coverage_.size());
 }
 
 PixelRect Film::sample_bounds() const {
@@ -106,6 +109,7 @@ void Film::add_eye_sample(const FilmPosition& film, const Rgb* values, float wei
     for (size_t plane = 0; plane < size_t(desc_.planes); ++plane) add_sample(layout_.eye(plane), film, values[plane]);
     return;
   }
+  if (desc_.counts) return add_planes(film, values, weight);
   const Rgb& value = values[0];
   const bool ok = fits(value);
   if (!ok) reject(film);
@@ -123,6 +127,30 @@ void Film::add_eye_sample(const FilmPosition& film, const Rgb* values, float wei
   });
 }
 
+void Film::add_planes(const FilmPosition& film, const Rgb* values, float weight) {
+  const auto add_shared = [&](size_t pixel, size_t plane, float h) {
+    add_rgb(&pass_[pixel * layout_.size() + layout_.eye(plane)], values[plane] * h);
+  };
+  uint64_t filtered = 0;
+  for (size_t plane = 0; plane < layout_.planes; ++plane)
+    if (!fits(values[plane]))
+      reject(film);
+    else if (!is_unfiltered(plane))
+      filtered |= uint64_t(1) << plane;
+    else if (is_inside(film))
+      add_shared(own(film), plane, 1);
+  splat(film, [&](size_t pixel, float h) {
+    for (size_t plane = 0; plane < layout_.planes; ++plane)
+      if (filtered >> plane & 1) add_shared(pixel, plane, h);
+    if (desc_.normalize_by_weights)
+      pass_[pixel * layout_.size() + layout_.weight()].add_shared(Accumulator::steps(h * weight));
+  });
+  if (!is_inside(film)) return;
+  Accumulator* sums = &pass_[own(film) * layout_.size()];  // no other thread samples this pixel
+  if (desc_.normalize_by_weights) add_own(sums[layout_.own_weight()], weight);
+  add_own(sums[layout_.samples()], 1);
+}
+
 void Film::reject(const FilmPosition& film) {
   const std::lock_guard lock(rejected_mutex_);
   ++rejected_pass_;
@@ -138,7 +166,9 @@ void Film::add_sample(size_t place, const FilmPosition& film, const Rgb& value) 
   splat(film, [&](size_t pixel, float h) { add_rgb(&pass_[pixel * layout_.size() + place], value * h); });
 }
 void Film::add_light_sample(const FilmPosition& film, const Rgb& value, size_t plane) {
-  add_sample(layout_.light(plane), film, value);
+  if (!is_unfiltered(plane)) return add_sample(layout_.light(plane), film, value);
+  if (!fits(value)) return reject(film);
+  if (is_inside(film)) add_rgb(&pass_[own(film) * layout_.size() + layout_.light(plane)], value);
 }
 void Film::add_free_eye_sample(const FilmPosition& film, const Rgb& value) { add_sample(layout_.eye(0), film, value); }
 
@@ -156,6 +186,11 @@ void Film::end_pass(uint64_t pass, int row_begin, int row_end) {
     group[i].add(pass_[i]);
     pass_[i] = Accumulator{};
   }
+  for (size_t c = 0; c < size_t(desc_.coverages); ++c)
+    for (size_t i = c * pixels() + first; i < c * pixels() + last; ++i) {
+      coverage_[i].add(pass_coverage_[i]);
+      pass_coverage_[i] = PixelCoverage{};
+    }
   for (size_t layer = 0; layer < size_t(technique_count()); ++layer)
     for (size_t i = layer * pixels() + first; i < layer * pixels() + last; ++i) {
       for (int c = 0; c < 3; ++c) pyramid_[i].rgb[c].add(pyramid_pass_[i].rgb[c]);
@@ -195,6 +230,7 @@ void Film::discard_pass() {
   if (!partial_) return;
   std::fill(pass_.begin(), pass_.end(), Accumulator{});
   std::fill(pyramid_pass_.begin(), pyramid_pass_.end(), RgbSums{});
+  std::fill(pass_coverage_.begin(), pass_coverage_.end(), PixelCoverage{});
   rejected_pass_ = 0;
   rejected_pass_in_.clear();
   partial_ = false;
@@ -205,12 +241,13 @@ namespace {
 // Veach's I_j = (|D| / N) I_j^L + I_j^E, the sums scaled as (10.10) or (10.11) say. With |D| the number of pixels
 // sampled and as many samples in a pass, |D| / N is one over the number of passes.
 struct Sums {
-  double eye[3] = {}, light[3] = {}, weight = 0;
-  void add(const PixelLayout& layout, const Accumulator* s, size_t plane) {
+  double eye[3] = {}, light[3] = {}, weight = 0, samples = 0;
+  void add(const PixelLayout& layout, const Accumulator* s, size_t plane, bool unfiltered) {
     for (size_t c = 0; c < 3; ++c) eye[c] += s[layout.eye(plane) + c].value();
     if (layout.one_image) return;
     for (size_t c = 0; c < 3; ++c) light[c] += s[layout.light(plane) + c].value();
-    weight += s[layout.weight()].value();
+    weight += s[unfiltered ? layout.own_weight() : layout.weight()].value();
+    if (layout.counts) samples += s[layout.samples()].value();
   }
   double eye_scale(bool by_weights, double passes) const {
     if (by_weights && weight != 0) return weight > 0 ? 1 / weight : 0;
@@ -222,7 +259,7 @@ struct Sums {
 
 void Film::read_group(int group, size_t pixel, size_t plane, double rgb[3]) const {
   Sums sums;
-  sums.add(layout_, sums_of(group, pixel), plane);
+  sums.add(layout_, sums_of(group, pixel), plane, is_unfiltered(plane));
   const double passes = double(passes_in_group(group));
   const double scale = sums.eye_scale(desc_.normalize_by_weights, passes);
   for (int c = 0; c < 3; ++c) rgb[c] = sums.eye[c] * scale + (passes > 0 ? sums.light[c] / passes : 0);
@@ -244,8 +281,8 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
     for (int x = rect.x0; x < rect.x1; ++x) {
       const size_t pixel = size_t(y) * size_t(desc_.width) + size_t(x);
       Sums sums;
-      for (int g = 0; g < desc_.groups; ++g) sums.add(layout_, sums_of(g, pixel), plane);
-      if (include_partial) sums.add(layout_, &pass_[pixel * layout_.size()], plane);
+      for (int g = 0; g < desc_.groups; ++g) sums.add(layout_, sums_of(g, pixel), plane, is_unfiltered(plane));
+      if (include_partial) sums.add(layout_, &pass_[pixel * layout_.size()], plane, is_unfiltered(plane));
       const double eye = sums.eye_scale(desc_.normalize_by_weights, whole);
       double rgb[3] = {};
       switch (layer) {
@@ -278,6 +315,9 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
           for (int c = 0; c < 3; ++c) rgb[c] = std::max(0.0, square[c] - mean[c] * mean[c]) / (filled - 1);
           break;
         }
+        case FilmLayer::Samples:
+          for (int c = 0; c < 3; ++c) rgb[c] = sums.samples;
+          break;
         case FilmLayer::Rejected:
           break;
       }
@@ -298,6 +338,38 @@ void Film::read_rejected(const PixelRect& rect, bool include_partial, float* out
   };
   add(rejected_in_);
   if (include_partial) add(rejected_pass_in_);
+}
+
+std::vector<Film::Covered> Film::read_coverage(size_t coverage, const PixelRect& rect, size_t ranks,
+                                               bool include_partial, double& lost) const {
+  include_partial = include_partial && partial_;
+  std::vector<Covered> result;
+  result.reserve(rect.count() * ranks);
+  double all = 0, left_out = 0;
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x) {
+      const size_t pixel = size_t(y) * size_t(desc_.width) + size_t(x);
+      PixelCoverage covered = coverage_[coverage * pixels() + pixel];
+      Sums sums;
+      for (int g = 0; g < desc_.groups; ++g) sums.add(layout_, sums_of(g, pixel), 0, false);
+      if (include_partial) {
+        covered.add(pass_coverage_[coverage * pixels() + pixel]);
+        sums.add(layout_, &pass_[pixel * layout_.size()], 0, false);
+      }
+      std::sort(std::begin(covered.slots), std::end(covered.slots), [](const CoverageSlot& a, const CoverageSlot& b) {
+        return a.samples != b.samples ? a.samples > b.samples : a.id < b.id;
+      });
+      for (size_t i = 0; i < ranks; ++i)
+        if (i < PixelCoverage::kSlots && covered.slots[i].samples > 0)
+          result.push_back({covered.slots[i].id, double(covered.slots[i].samples) / sums.samples});
+        else
+          result.push_back({0, 0});
+      left_out += double(covered.lost);
+      for (size_t i = ranks; i < PixelCoverage::kSlots; ++i) left_out += double(covered.slots[i].samples);
+      all += sums.samples;
+    }
+  lost = all > 0 ? left_out / all : 0;
+  return result;
 }
 
 double Film::relative_error() const {
@@ -325,6 +397,7 @@ double Film::relative_error() const {
 void Film::clear() {
   std::fill(sums_.begin(), sums_.end(), Accumulator{});
   std::fill(pyramid_.begin(), pyramid_.end(), RgbSums{});
+  std::fill(coverage_.begin(), coverage_.end(), PixelCoverage{});
   partial_ = true;
   discard_pass();
   ranges_.clear();
@@ -336,7 +409,7 @@ void Film::clear() {
 void Film::merge(const Film& source) {
   if (&source == this) fail(ErrorCode::InvalidArgument, "source: it is the destination");
   if (desc_.hash() != source.desc_.hash())
-    fail(ErrorCode::Mismatch, "source: it has another size, filter, normalization, groups or pyramid");
+    fail(ErrorCode::Mismatch, "source: it has another size, filter, normalization, groups, pyramid or outputs");
   if (source.is_empty()) return;
   if (!is_empty() && !(recipe_ == source.recipe_))
     fail(ErrorCode::Mismatch, "source: it was rendered from another scene, with another seed or with other options");
@@ -350,6 +423,7 @@ void Film::merge(const Film& source) {
   for (size_t i = 0; i < sums_.size(); ++i) sums_[i].add(source.sums_[i]);
   for (size_t i = 0; i < pyramid_.size(); ++i)
     for (int c = 0; c < 3; ++c) pyramid_[i].rgb[c].add(source.pyramid_[i].rgb[c]);
+  for (size_t i = 0; i < coverage_.size(); ++i) coverage_[i].add(source.coverage_[i]);
 }
 
 }  // namespace bdpt

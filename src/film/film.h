@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "film/accumulator.h"
+#include "film/coverage.h"
 #include "film/filter.h"
 #include "sensor/sensor.h"
 
@@ -19,6 +20,7 @@
 namespace bdpt {
 
 inline constexpr int kMaxPlanes = 1024;
+inline constexpr int kMaxCameraPlanes = 64, kMaxCoverages = 2;
 
 struct FilmDesc {
   int width = 1, height = 1;
@@ -26,10 +28,29 @@ struct FilmDesc {
   bool normalize_by_weights = true;  // Veach (10.11); else by the number of samples (10.10)
   int groups = 2;
   int pyramid_edges = 0;
-  int planes = 1;          // measurements of a pixel, three colours each
-  bool one_image = false;  // the eye and the light image in one, scaled by the number of samples; box filter
-  uint64_t measured = 0;   // pixels that measure anything; 0 = all
+  int planes = 1;           // measurements of a pixel, three colours each
+  bool one_image = false;   // the eye and the light image in one, scaled by the number of samples; box filter
+  uint64_t measured = 0;    // pixels that measure anything; 0 = all
+  uint64_t unfiltered = 0;  // of two images: planes, one bit each, whose samples count for their own pixel alone
+  bool counts = false;      // of two images: the samples of each pixel are counted
+  int coverages = 0;        // of a film that counts: kinds of ids
   uint64_t hash() const;
+};
+
+// What a film must keep of a sensor's outputs.
+struct FilmPlanes {
+  explicit FilmPlanes(int number) : planes(number) {}
+  explicit FilmPlanes(const Sensor& sensor) : planes(sensor.planes()) {
+    if (sensor.is_local()) return;
+    for (const OutputPlanes& o : sensor.outputs()) {
+      coverages += is_coverage(o.seen);
+      if (o.unfiltered) unfiltered |= uint64_t(1) << o.first;
+    }
+    counts = sensor.outputs().size() > 1;
+  }
+  int planes, coverages = 0;
+  uint64_t unfiltered = 0;
+  bool counts = false;
 };
 
 // What a film was filled with; ranges of one recipe can be merged.
@@ -62,19 +83,23 @@ struct PassRange {
 struct RgbSums {
   Accumulator rgb[3];
 };
-// Where the sums of a pixel stand, one behind another: the eye image, its weight and the light image; or plane by
-// plane, if they are one image.
+// Where the sums of a pixel stand, one behind another: the planes of the eye image, its weight, and the planes of the
+// light image; then the weight of unfiltered planes and the number of samples, if they are counted. Or plane by plane,
+// if the two are one image.
 struct PixelLayout {
-  explicit PixelLayout(const FilmDesc& desc) : planes(desc.planes), one_image(desc.one_image) {}
-  int planes;
-  bool one_image;
-  size_t size() const { return one_image ? 3 * size_t(planes) : 7; }
+  explicit PixelLayout(const FilmDesc& desc)
+      : planes(size_t(desc.planes)), one_image(desc.one_image), counts(desc.counts) {}
+  size_t planes;
+  bool one_image, counts;
+  size_t size() const { return one_image ? 3 * planes : 6 * planes + 1 + (counts ? 2 : 0); }
   size_t eye(size_t plane) const { return 3 * plane; }
-  size_t weight() const { return 3; }
-  size_t light(size_t plane) const { return one_image ? 3 * plane : 4; }
+  size_t weight() const { return 3 * planes; }
+  size_t light(size_t plane) const { return one_image ? 3 * plane : 3 * planes + 1 + 3 * plane; }
+  size_t own_weight() const { return 6 * planes + 1; }
+  size_t samples() const { return 6 * planes + 2; }
 };
 
-enum class FilmLayer { Color, Eye, Light, Variance, Technique, Rejected };
+enum class FilmLayer { Color, Eye, Light, Variance, Technique, Rejected, Samples };
 
 class Film {
  public:
@@ -107,6 +132,10 @@ class Film {
   void add_light_sample(const FilmPosition& film, const Rgb& value, size_t plane = 0);
   // Of the eye image, but of no pixel: an eye image of such samples alone is normalised by their number.
   void add_free_eye_sample(const FilmPosition& film, const Rgb& value);
+  // What an eye sample met, for its own pixel; by one thread for each pixel.
+  void add_coverage(size_t coverage, const FilmPosition& film, uint64_t id) {
+    if (is_inside(film)) pass_coverage_[coverage * pixels() + own(film)].add(id, 1);
+  }
   void add_technique_sample(int s, int t, const FilmPosition& film, const Rgb& value);
   // Counts a contribution that was left out before it came here. Thread-safe.
   void reject(const FilmPosition& film);
@@ -121,6 +150,14 @@ class Film {
   // Writes 3 floats per pixel to rows `row_stride` floats apart.
   void read(FilmLayer layer, int s, int t, const PixelRect& rect, bool include_partial, float* pixels,
             size_t row_stride, int plane = 0) const;
+  // The ids of each pixel, those of most samples first, `ranks` for each; the rest has no samples. Parts are of all
+  // samples of the pixel. What no rank names is counted, as parts of the samples of all these pixels.
+  struct Covered {
+    uint64_t id;
+    double part;
+  };
+  std::vector<Covered> read_coverage(size_t coverage, const PixelRect& rect, size_t ranks, bool include_partial,
+                                     double& lost) const;
   // Square root of the mean relative variance of the first plane; -1 while unknown.
   double relative_error() const;
 
@@ -143,6 +180,12 @@ class Film {
   template <class Add>
   void splat(const FilmPosition& film, Add&& add);
   void add_sample(size_t place, const FilmPosition& film, const Rgb& value);
+  void add_planes(const FilmPosition& film, const Rgb* values, float weight);
+  bool is_unfiltered(size_t plane) const { return desc_.unfiltered >> plane & 1; }
+  bool is_inside(const FilmPosition& film) const {
+    return film.x >= 0 && film.y >= 0 && film.x < float(desc_.width) && film.y < float(desc_.height);
+  }
+  size_t own(const FilmPosition& film) const { return size_t(film.y) * size_t(desc_.width) + size_t(film.x); }
   void read_group(int group, size_t pixel, size_t plane, double rgb[3]) const;
   const Accumulator* sums_of(int group, size_t pixel) const {
     return sums_.data() + (size_t(group) * pixels() + pixel) * layout_.size();
@@ -160,6 +203,7 @@ class Film {
   std::vector<Accumulator> pass_;  // of the pass in hand
   std::vector<RgbSums> pyramid_;   // techniques x pixels
   std::vector<RgbSums> pyramid_pass_;
+  std::vector<PixelCoverage> coverage_, pass_coverage_;  // coverages x pixels
   // Contributions left out, of all and of pixels that have any.
   using PixelCounts = std::map<uint64_t, uint64_t>;
   std::mutex rejected_mutex_;

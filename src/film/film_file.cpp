@@ -15,7 +15,7 @@ namespace bdpt {
 namespace {
 
 constexpr char kMagic[8] = {'b', 'd', 'p', 't', 'f', 'i', 'l', 'm'};
-constexpr uint32_t kVersion = 4;
+constexpr uint32_t kVersion = 5;
 constexpr uint32_t kMaxRanges = 1u << 24;
 constexpr uint64_t kMaxPoolPasses = 1u << 16;
 
@@ -95,15 +95,22 @@ FilmDesc read_desc(Reader& in) {
   d.planes = in.value<int32_t>();
   const uint32_t one_image = in.value<uint32_t>();
   d.measured = in.value<uint64_t>();
+  d.unfiltered = in.value<uint64_t>();
+  const uint32_t counts = in.value<uint32_t>();
+  d.coverages = in.value<int32_t>();
   const bool ok = d.width >= 1 && d.width <= 65536 && d.height >= 1 && d.height <= 65536 && type >= 0 && type <= 4 &&
                   d.filter.radius >= 0.5f && d.filter.radius <= 8 && std::isfinite(d.filter.a) &&
                   std::isfinite(d.filter.b) && by_weights <= 1 && d.groups >= 1 && d.groups <= 16 &&
                   d.pyramid_edges >= 0 && d.pyramid_edges <= 15 && d.planes >= 1 && d.planes <= kMaxPlanes &&
-                  one_image <= 1 && (one_image == 1 || d.planes == 1);
+                  one_image <= 1 && counts <= 1 && counts + one_image <= 1 &&
+                  (one_image == 1 || counts == 1 || d.planes == 1) &&
+                  (counts == 1 ? d.planes <= kMaxCameraPlanes : d.unfiltered == 0 && d.coverages == 0) &&
+                  (d.planes >= 64 || d.unfiltered >> d.planes == 0) && d.coverages >= 0 && d.coverages <= kMaxCoverages;
   if (!ok) in.bad("its header says what cannot be");
   d.filter.type = FilterType(type);
   d.normalize_by_weights = by_weights == 1;
   d.one_image = one_image == 1;
+  d.counts = counts == 1;
   return d;
 }
 
@@ -156,6 +163,9 @@ void Film::save(const std::string& path) const {
   out.value(int32_t(desc_.planes));
   out.value(uint32_t(desc_.one_image));
   out.value(desc_.measured);
+  out.value(desc_.unfiltered);
+  out.value(uint32_t(desc_.counts));
+  out.value(int32_t(desc_.coverages));
   out.value(recipe_.seed);
   out.value(recipe_.scene_hash);
   out.value(recipe_.options_hash);
@@ -174,6 +184,7 @@ void Film::save(const std::string& path) const {
   }
   out.bytes(sums_.data(), sums_.size() * sizeof(Accumulator));
   out.bytes(pyramid_.data(), pyramid_.size() * sizeof(RgbSums));
+  out.bytes(coverage_.data(), coverage_.size() * sizeof(PixelCoverage));
   const uint64_t hash = out.hash();
   file.write(&hash, sizeof(hash));
   file.commit();
@@ -200,12 +211,14 @@ std::unique_ptr<Film> Film::load(const std::string& path, std::shared_ptr<Memory
   std::map<uint64_t, uint64_t> rejected_in = read_counts(in, desc, rejected);
   // Before memory is taken for what a damaged header claims.
   const uint64_t pixels = uint64_t(desc.width) * uint64_t(desc.height), k = uint64_t(desc.pyramid_edges);
-  const uint64_t bytes = pixels * (sizeof(Accumulator) * PixelLayout(desc).size() * uint64_t(desc.groups) +
-                                   sizeof(RgbSums) * (k * (k + 5) / 2));
+  const uint64_t bytes =
+      pixels * (sizeof(Accumulator) * PixelLayout(desc).size() * uint64_t(desc.groups) +
+                sizeof(RgbSums) * (k * (k + 5) / 2) + sizeof(PixelCoverage) * uint64_t(desc.coverages));
   if (in.remaining() != bytes + sizeof(uint64_t)) in.bad("its length does not fit its header");
   auto film = std::make_unique<Film>(desc, std::move(meter));
   in.bytes(film->sums_.data(), film->sums_.size() * sizeof(Accumulator));
   in.bytes(film->pyramid_.data(), film->pyramid_.size() * sizeof(RgbSums));
+  in.bytes(film->coverage_.data(), film->coverage_.size() * sizeof(PixelCoverage));
   const uint64_t expected = in.hash();
   if (in.value<uint64_t>() != expected) in.bad("its contents were changed");
   film->recipe_ = recipe;

@@ -46,6 +46,18 @@ void check_whole_pools(const Engine& engine, const char* field, uint64_t passes)
          " passes at once: give a multiple of ", n);
 }
 
+bool is_film_of(const FilmDesc& film, const Sensor& sensor) {
+  const FilmPlanes planes(sensor);
+  return sensor.is_local() == film.one_image && planes.planes == film.planes && planes.counts == film.counts &&
+         planes.unfiltered == film.unfiltered && planes.coverages == film.coverages;
+}
+
+void check_outputs(const Sensor& sensor, const TransportOptions& options) {
+  if (!sensor.is_plain() && !sensor.is_local() && options.plan && options.plan->chains)
+    fail(ErrorCode::InvalidArgument, "plan: '", options.plan->name,
+         "' measures the picture alone: choose another, or give the camera no outputs");
+}
+
 void check_local(const Scene& scene, const Sensor& sensor, const TransportOptions& options) {
   if (!sensor.is_local()) return;
   if (sensor.is_volume() && scene.has_interiors())
@@ -118,9 +130,10 @@ Render::Render(std::shared_ptr<const Scene> scene, std::shared_ptr<const Sensor>
   if (sensor_->width() != film_->desc().width || sensor_->height() != film_->desc().height)
     fail(ErrorCode::Mismatch, "film: it is ", film_->desc().width, " x ", film_->desc().height, ", the sensor ",
          sensor_->width(), " x ", sensor_->height());
-  if (sensor_->is_local() != film_->desc().one_image || sensor_->planes() != film_->desc().planes)
+  if (!is_film_of(film_->desc(), *sensor_))
     fail(ErrorCode::Mismatch, "film: it was created for another kind of sensor, or for other outputs");
   check_local(*scene_, *sensor_, desc.transport);
+  check_outputs(*sensor_, desc.transport);
   if (!film_->acquire()) fail(ErrorCode::InUse, "film: another render fills it; destroy that first");
   try {
     engine_ = std::make_unique<Engine>(*scene_, *sensor_, *film_, desc.transport, desc.seed);

@@ -77,6 +77,7 @@ class Scene {
   // --- For sensors on surfaces ---
   size_t instance_count() const { return instances_.size(); }
   uint64_t instance_id(uint32_t instance) const { return desc_.instances[instance].id; }
+  uint64_t material_id(uint32_t instance) const { return desc_.instances[instance].material_id; }
   const std::string& instance_label(uint32_t instance) const { return desc_.instances[instance].label; }
   // Whether something moves: then rays have times.
   bool moves() const { return moves_; }

@@ -34,7 +34,12 @@ uint64_t Camera::hash() const {
                            desc_.film_height,       desc_.lens_unit};
   h = hash_bytes(numbers, sizeof(numbers), h);
   if (desc_.moves) h = hash_bytes(desc_.end.m, sizeof(desc_.end.m), h);
-  return hash_bytes(desc_.lens.data(), desc_.lens.size() * sizeof(LensSurface), h);
+  h = hash_bytes(desc_.lens.data(), desc_.lens.size() * sizeof(LensSurface), h);
+  for (size_t i = 1; i < desc_.outputs.size(); ++i) {
+    const OutputPlanes& o = desc_.outputs[i];
+    h = hash_combine(h, hash_values(o.kind, o.direct, o.indirect, o.groups, o.unfiltered));
+  }
+  return h;
 }
 
 PictureFrame::PictureFrame(const CameraDesc& desc, double height)

@@ -29,6 +29,7 @@ struct CameraDesc {
   float lens_unit = 0.001f;       // world units
   Transform end;                  // like transform, at time 1, of a camera that moves
   bool moves = false;
+  std::vector<OutputPlanes> outputs{OutputPlanes{}};  // the picture first
 };
 
 // What all kinds share: the picture, and the camera's frame.
@@ -41,6 +42,8 @@ class Camera : public Sensor {
   uint64_t hash() const override;
   bool moves() const override { return desc_.moves; }
   Rigid motion(float time) const override { return motion_.at(time); }
+  const std::vector<OutputPlanes>& outputs() const override { return desc_.outputs; }
+  float depth(const Vec3& p) const override { return dot(p - origin_, forward_); }
 
  protected:
   // From coordinates to the right, upward and ahead to the world's.

@@ -11,6 +11,7 @@ class Pinhole : public Camera {
   using Camera::Camera;
   bool is_hittable() const final { return false; }
 
+  float depth(const Vec3& p) const override { return length(p - origin_); }
   EyeStart start(const FilmPosition& film, const float[2], const PixelRect& bounds) const final {
     EyeStart s;
     s.film = film;

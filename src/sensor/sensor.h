@@ -81,19 +81,31 @@ enum class Seen {
   Distance,    // how far it is to what is seen, reach at most; its square; and 1 where anything is nearer
   Fronts,      // 1 but for backs that absorb all light; all rays count alike, whatever they measure
   Unshadowed,  // direct light as if nothing were in its way
+  // Of the surface that a camera's eye subpath meets first; nothing where there is none, or a medium scatters before.
+  Albedo,    // the part of light that it sends on, whichever way, seen from there
+  Normal,    // its shading normal, on the side that is seen
+  Depth,     // how far off it is, see Sensor::depth, the square of that, and 1
+  Position,  // in the world
+  Instance,  // whose it is: coverage, and no planes
+  Material,
 };
+
+inline bool is_of_surface(Seen seen) { return seen >= Seen::Albedo; }
+inline bool is_coverage(Seen seen) { return seen >= Seen::Instance; }
 
 // A part of what a measurement is asked for: some planes of the film, and the light that counts for them.
 struct OutputPlanes {
   int kind = -1;  // as its sensor calls it; -1 = has no name
   Seen seen = Seen::Light;
   float reach = 3e38f;                  // of openness and distance, in lengths
-  int first = 0, count = 1;             // planes
+  int first = 0, count = 1;             // planes; of coverage, which one, and none
+  bool unfiltered = false;              // cameras: samples count for their own pixel alone
   bool direct = true, indirect = true;  // light that comes straight from where it is emitted; all else
+  uint32_t direct_edges = 1;            // of the longest path that is direct; of what a camera sees, 2
   uint64_t groups = ~0ull;              // of lights, one bit each
-  bool is_all() const { return seen == Seen::Light && direct && indirect && groups == ~0ull; }
+  bool is_all() const { return seen == Seen::Light && direct && indirect && groups == ~0ull && !unfiltered; }
   bool takes(uint32_t edges, uint32_t group) const {
-    return seen == Seen::Light && (edges == 1 ? direct : indirect) && takes(group);
+    return seen == Seen::Light && (edges <= direct_edges ? direct : indirect) && takes(group);
   }
   bool takes(uint32_t group) const { return groups >> group & 1; }
 };
@@ -122,6 +134,8 @@ class Sensor {
   // evenly in `bounds`, which enters W_e and the density of directions: a pixel's value is the mean over its filter.
   // weight = 0: nothing is seen there.
   virtual EyeStart start(const FilmPosition&, const float[2], const PixelRect&) const { return {}; }
+  // How far off a point of the scene is: along the axis, or from a camera that looks all around, the distance.
+  virtual float depth(const Vec3&) const { return 0; }
   // Chooses z0 for t = 1; false where x is not in the picture.
   virtual bool sample_toward(const Vec3&, const float[2], const PixelRect&, SensorPoint&) const { return false; }
   // t = 0: whether the segment from origin along the unit direction, up to tmax, passes through the sensor.
@@ -132,7 +146,11 @@ class Sensor {
   virtual Rigid motion(float) const { return {}; }
 
   // --- What is measured: planes of the film. `start` measures the base; outputs are multiples of it. ---
-  int planes() const { return outputs().back().first + outputs().back().count; }
+  int planes() const {
+    int planes = 0;
+    for (const OutputPlanes& o : outputs()) planes += o.count;
+    return planes;
+  }
   virtual const std::vector<OutputPlanes>& outputs() const { return kOne; }
   // Whether there is one plane, and it is the base.
   bool is_plain() const {

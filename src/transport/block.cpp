@@ -139,7 +139,7 @@ void Block::start_eye(uint32_t sample, const EyeStart& start, uint32_t most) {
     index = eye_.last[sample] = uint32_t(eye_.vertices.size());
     eye_.vertices.push_back(sensor_vertex(sample));
   }
-  if (responses_.sees()) most = std::max(most, 2u);
+  if (responses_.sees() || responses_.sees_surfaces()) most = std::max(most, 2u);
   if (most < 2 || (z0.weight == 0 && !engine_.local)) return;
   Walker w{};
   w.eye = true;
@@ -304,8 +304,10 @@ void Block::add_light(uint32_t light, const FilmPosition& film, uint32_t s, uint
   };
   if (responses_.is_plain())
     add(0, 1);
+  else if (!engine_.local)
+    responses_.each(s + t - 1, group, add);
   else
-    responses_.each(*z0, *w, s + t - 1, group, add);  // a camera's are plain
+    responses_.each(*z0, *w, s + t - 1, group, add);
 }
 
 void Block::push_connection(const Ray& ray, const Rgb& contribution, uint32_t sample, uint32_t s, uint32_t t,

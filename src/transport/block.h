@@ -229,6 +229,9 @@ class Block {
   void escape(const Walker& walker);
   // What the first ray of an eye subpath sees, for outputs that are not about light.
   void see(const Walker& walker, const Ray& ray, const Hit& hit);
+  // What surface it meets first, for outputs of cameras.
+  void see_surface(const Walker& walker, const Hit& hit, const Surface& surface);
+  Rgb estimate_albedo(const Walker& walker, const Surface& surface);
   void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
   void hit_sensor_in_media(const Walker& walker, const Ray& ray, float tmax, const Medium* medium);
   void cross_sensor(const Walker& walker, const Ray& ray, float tmax);

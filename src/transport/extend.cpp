@@ -145,6 +145,7 @@ void Block::weigh_vertex(const Walker& w, Vertex& v) {
 }
 
 void Block::arrive_on(const Walker& w, const Hit& hit, const Surface& surface) {
+  if (w.eye && w.count == 1 && responses_.sees_surfaces() && !keeps_) see_surface(w, hit, surface);
   const float cosine = absdot(surface.ng, w.direction);
   const float geometry = w.infinite ? cosine : w.cosine * cosine / length_squared(surface.p - w.origin);
   Vertex* const added = add_vertex(w, surface.p, geometry, false);

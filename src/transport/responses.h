@@ -17,13 +17,16 @@ class Responses {
         responds_(sensor.responds()),
         response_(planes_, 1.0f) {
     for (const OutputPlanes& o : sensor.outputs())
-      (o.seen == Seen::Unshadowed ? unshadowed_ : sees_) |= o.seen != Seen::Light;
+      (o.seen == Seen::Unshadowed ? unshadowed_
+       : is_of_surface(o.seen)    ? sees_surfaces_
+                                  : sees_) |= o.seen != Seen::Light;
   }
 
   size_t planes() const { return planes_; }
-  bool is_plain() const { return plain_; }         // one plane, and it is the base
-  bool sees() const { return sees_; }              // whether some output is about what first rays see
-  bool unshadowed() const { return unshadowed_; }  // whether some output is about light that nothing blocks
+  bool is_plain() const { return plain_; }               // one plane, and it is the base
+  bool sees() const { return sees_; }                    // whether some output is about what first rays see
+  bool sees_surfaces() const { return sees_surfaces_; }  // or the surfaces that they meet
+  bool unshadowed() const { return unshadowed_; }        // whether some output is about light that nothing blocks
   // For eye subpaths that are about to start.
   void reset(size_t samples) { starts_.assign(responds_ ? samples * planes_ : 0, kUnknown); }
 
@@ -37,6 +40,11 @@ class Responses {
   template <class Add>
   void each(const SensorPlace& z0, const Vec3& w, uint32_t edges, uint32_t group, Add&& add) {
     if (responds_) sensor_.respond(z0, w, response_.data());
+    visit(response_.data(), edges, group, add);
+  }
+  // The same where the sensor's outputs are parts of its base.
+  template <class Add>
+  void each(uint32_t edges, uint32_t group, Add&& add) {
     visit(response_.data(), edges, group, add);
   }
   // Direct light that nothing blocks.
@@ -68,6 +76,7 @@ class Responses {
     switch (o.seen) {
       case Seen::Light:
       case Seen::Unshadowed:
+      default:
         break;
       case Seen::Openness:
         return Rgb(near ? 0.0f : 1.0f);
@@ -99,7 +108,7 @@ class Responses {
 
   const Sensor& sensor_;
   size_t planes_;
-  bool plain_, responds_, sees_ = false, unshadowed_ = false;
+  bool plain_, responds_, sees_ = false, sees_surfaces_ = false, unshadowed_ = false;
   std::vector<float> response_;  // of the direction in hand
   std::vector<float> starts_;    // of the eye subpaths' first directions, once they were asked for
 };

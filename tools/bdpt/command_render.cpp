@@ -12,6 +12,7 @@
 #include "output_path.h"
 #include "pyramid.h"
 #include "render_options.h"
+#include "render_outputs.h"
 #include "render_report.h"
 #include "scene_upload.h"
 #include "stopwatch.h"
@@ -25,7 +26,8 @@ constexpr std::uint32_t kDefaultPyramidEdges = 7;  // where paths are not limite
 
 class RenderCommand {
  public:
-  explicit RenderCommand(const RenderOptions& options) : options_(options), techniques_(technique_mask(options)) {}
+  explicit RenderCommand(const RenderOptions& options)
+      : options_(options), techniques_(technique_mask(options)), outputs_(options.outputs, options.denoise) {}
 
   ExitCode run() {
     check_outputs();
@@ -61,11 +63,12 @@ class RenderCommand {
 
   void build() {
     const Stopwatch watch;
-    const bdpt_camera_desc camera =
+    bdpt_camera_desc camera =
         camera_desc(description_, options_.width.value_or(description_.film.width),
                     options_.height.value_or(description_.film.height), diagnostics_, options_.camera);
     has_lens_ = camera.lens_radius > 0 || camera.type == BDPT_CAMERA_LENS;
     is_cube_ = camera.type == BDPT_CAMERA_CUBE;
+    outputs_.add_to(camera);
     context_ = make_context(options_.threads, diagnostics_, options_.color);
     options_.view.context = context_.get();
     check_view(options_.view);
@@ -136,9 +139,16 @@ class RenderCommand {
 
   void write_outputs() {
     const bool partial = interrupt_.interrupted();
-    write_film_exr(options_.output, film_.get(), partial, context_.get());
-    if (!options_.png.empty())
-      write_png(options_.png, read_layer(film_.get(), BDPT_LAYER_COLOR, partial), options_.view);
+    const Image denoised = outputs_.denoised(film_.get(), partial, options_.threads);
+    if (outputs_.any()) {
+      outputs_.write(options_.output, film_.get(), partial, context_.get(), description_, denoised);
+    } else {
+      write_film_exr(options_.output, film_.get(), partial, context_.get());
+    }
+    if (!options_.png.empty()) {
+      const bool noisy = denoised.pixels.empty();
+      write_png(options_.png, noisy ? read_layer(film_.get(), BDPT_LAYER_COLOR, partial) : denoised, options_.view);
+    }
     if (!options_.pyramid.empty()) {
       write_pyramid(options_.pyramid, film_.get(), techniques_, has_lens_, partial, options_.view);
     }
@@ -156,6 +166,7 @@ class RenderCommand {
 
   RenderOptions options_;
   TechniqueMask techniques_;
+  RenderOutputs outputs_;
   PassRange range_;
   std::uint32_t max_edges_ = 0;
   bool has_lens_ = false, is_cube_ = false;

@@ -6,6 +6,7 @@
 
 #include "choice_option.h"
 #include "handles.h"
+#include "render_outputs.h"
 #include "view_options.h"
 
 namespace bdpt_tool {
@@ -60,6 +61,11 @@ std::string plan_list() {
 void add_output_options(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.output, "The picture, OpenEXR, with a layer 'variance'")->required();
   command.add_option("--png", options.png, "The picture through the display transform, PNG");
+  command.add_option("--outputs", options.outputs, kOutputsHelp)->type_name("LIST");
+  command.add_flag(
+      "--denoise", options.denoise,
+      "Write the picture without noise, by Open Image Denoise, if it is installed; the layer 'noisy' is as "
+      "it was rendered");
   add_film_options(command, options);
   command.add_option("--pyramid", options.pyramid,
                      "Folder for the picture of each technique (s,t), and pyramid.png with all of them; row k is "

@@ -22,6 +22,8 @@ namespace bdpt_tool {
 struct RenderOptions {
   ReadOptions read;
   std::string scene, output, png, film, pyramid;
+  std::string outputs;
+  bool denoise = false;
   std::optional<std::uint64_t> samples_per_pixel;
   double seconds = 0, noise = 0, checkpoint = 60;
   std::string passes;  // "A:B"

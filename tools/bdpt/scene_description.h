@@ -141,6 +141,7 @@ struct InstanceDescription {
   std::size_t node = 0;   // what is placed at once, the parts of a mesh, has one number
   std::string node_name;  // by which that is named on the command line; several may have one name
   bdpt_instance_id id{};  // once the library has it
+  bdpt_material_id material_id{};
 };
 
 struct LightDescription {

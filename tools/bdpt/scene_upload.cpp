@@ -200,7 +200,7 @@ class Uploader {
     auto desc = sized<bdpt_instance_desc>();
     desc.label = instance.label.c_str();
     desc.shape = once(shapes_, description_.shapes, instance.shape);
-    desc.material = once(materials_, lowered_, instance.material);
+    desc.material = instance.material_id = once(materials_, lowered_, instance.material);
     std::copy_n(instance.transform.data(), 12, desc.transform);
     check(bdpt_instance_add(builder_.get(), &desc, &instance.id), instance.where);
   }

@@ -17,7 +17,7 @@ struct CameraSource {
   const ParamList& params;
   Transform to_world;  // from the format's camera, which looks along +z
   float scale;         // world units in one of its
-  const std::string& folder;
+  const SceneFolder& folder;
 };
 
 // The library's camera looks along -z.
@@ -74,15 +74,11 @@ void read_spherical(const CameraSource& source, CameraDescription& camera, Diagn
 }
 
 // Rows of four numbers: radius of curvature, thickness, index of refraction, diameter; # begins a comment.
-std::vector<bdpt_lens_surface> read_lens(const ParamList& params, const std::string& folder) {
+std::vector<bdpt_lens_surface> read_lens(const ParamList& params, const SceneFolder& folder) {
   const Param* param = params.find("lensfile");
   const std::string file = params.get_string("lensfile", "");
   if (file.empty()) params.fail("\"string lensfile\" is missing");
-  const std::filesystem::path relative = std::filesystem::path(file).lexically_normal();
-  if (relative.is_absolute() || *relative.begin() == "..") {
-    params.fail(*param, "leads out of the scene's folder; copy the file there");
-  }
-  const std::filesystem::path path = std::filesystem::path(folder) / relative;
+  const std::filesystem::path path = folder.path_of(file, param->where);
   std::ifstream stream(path);
   if (!stream || std::filesystem::is_directory(path)) params.fail(*param, "cannot be read: " + path.string());
   std::vector<bdpt_lens_surface> surfaces;
@@ -151,7 +147,7 @@ constexpr Kind kKinds[] = {{"perspective", read_perspective},
 }  // namespace
 
 void read_camera(const std::string& type, const ParamList& params, const Transform& world_to_camera,
-                 const std::string& folder, SceneDescription& scene, Diagnostics& diagnostics) {
+                 const SceneFolder& folder, SceneDescription& scene, Diagnostics& diagnostics) {
   const Kind* known = nullptr;
   for (const Kind& kind : kKinds) {
     if (type == kind.name) known = &kind;
