@@ -121,7 +121,6 @@ TEST(ApiOutOfMemory, ABuilderStaysAsItWas) {
   material.type = BDPT_MATERIAL_DIELECTRIC;
   material.textures = uses, material.texture_count = 2;
   material.opacity_mode = BDPT_OPACITY_BLEND;
-  material.interior = medium_id;
   bdpt_material_id material_id{};
   EXPECT_GT(fail_each_allocation([&] { return bdpt_material_add(b, &material, &material_id); }), 0);
   EXPECT_GT(fail_each_allocation([&] { return bdpt_material_update(b, material_id, &material); }), 0);

@@ -15,7 +15,7 @@ struct Everything {
   bdpt_texture_desc texture = texture_desc(texels, 2, 2);
   bdpt_texture_use use = make<bdpt_texture_use>();  // BUMP by default
   bdpt_texture_use opacity = make<bdpt_texture_use>();
-  bdpt_material_desc material = grey_desc();
+  bdpt_material_desc material = grey_desc(), glass = grey_desc();
   bdpt_medium_desc inside = medium_desc(), outside = medium_desc();
   bool has_interior = true, has_outside = true, has_other_texture = false;
 
@@ -30,6 +30,7 @@ struct Everything {
     material.roughness[0] = material.roughness[1] = 0.5f;
     material.opacity_mode = BDPT_OPACITY_MASK;
     material.opacity = 1;
+    glass.type = BDPT_MATERIAL_DIELECTRIC;
   }
 };
 
@@ -58,8 +59,10 @@ class ApiSceneHash : public testing::Test {
     e.opacity.texture = texture;
     const bdpt_texture_use uses[2] = {e.use, e.opacity};
     e.material.textures = uses, e.material.texture_count = e.material.opacity_mode ? 2 : 1;
-    if (e.has_interior) e.material.interior = inside;
     EXPECT_OK(bdpt_material_add(b, &e.material, &material));
+    add_instance(b, shape, material);
+    if (e.has_interior) e.glass.interior = inside;
+    EXPECT_OK(bdpt_material_add(b, &e.glass, &material));
     add_instance(b, shape, material);
     bdpt_build_desc desc = make<bdpt_build_desc>();
     if (e.has_outside) desc.medium = outside;
@@ -119,8 +122,8 @@ TEST_F(ApiSceneHash, ChangesWithEveryNumber) {
   differs("no opacity", [](auto& e) { e.material.opacity_mode = BDPT_OPACITY_OPAQUE; });
   differs("opacity", [](auto& e) { e.material.opacity = 0.5f; });
   differs("opacity_cutoff", [](auto& e) { e.material.opacity_cutoff = 0.75f; });
-  differs("type", [](auto& e) { e.material.type = BDPT_MATERIAL_DIFFUSE, e.has_interior = false; });
-  differs("priority", [](auto& e) { e.material.priority = 1; });
+  differs("type", [](auto& e) { e.material.type = BDPT_MATERIAL_DIFFUSE; });
+  differs("priority", [](auto& e) { e.glass.priority = 1; });
   differs("no interior", [](auto& e) { e.has_interior = false; });
   differs("nothing outside", [](auto& e) { e.has_outside = false; });
   differs("no medium", [](auto& e) { e.has_interior = e.has_outside = false; });
