@@ -113,7 +113,8 @@ TEST_F(ToolLight, ProjectionsThrowTheirPictureAsACameraSeesIt) {
         read(std::string(transform) + "LookAt 0 0 0 0 0 1 0 1 0\nCamera \"perspective\" \"float fov\" 60",
              std::string(transform) +
                  "LightSource \"projection\" \"string filename\" \"slide.exr\" \"float fov\" 60 \"float scale\" 3\n" +
-                 kWall));
+                 kWall),
+        256);
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const std::size_t x = quarter % 2 ? 10 : 5, y = quarter / 2 ? 10 : 5;
       const double px = (x + 0.5) / 8 - 1, py = (y + 0.5) / 8 - 1, t = std::tan(M_PI / 6);
