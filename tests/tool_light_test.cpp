@@ -90,6 +90,16 @@ TEST_F(ToolLight, EnvironmentsLieWherePbrtHasThem) {
   }
 }
 
+// In front of a camera at rest is the picture's middle.
+TEST_F(ToolLight, APictureTakesThePlaceOfTheEnvironment) {
+  write("world.exr", 16, [](double u, double) { return u > 0.5 ? Rgb{1, 2, 3} : Rgb{3, 2, 1}; });
+  read("LookAt 0 0 0 1 0 -2 0 1 0\nCamera \"perspective\" \"float fov\" 0.5",
+       "LightSource \"infinite\" \"rgb L\" [9 9 9]\n");
+  ReadOptions options;
+  options.environment = folder_.file("world.exr");
+  expect_near(radiance(read_scene(folder_.file("scene.pbrt"), diagnostics_, options)), {1, 2, 3}, 1e-3f);
+}
+
 constexpr const char* kWall =
     "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5]\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
     "\"point3 P\" [-9 -9 2  9 -9 2  9 9 2  -9 9 2] \"point2 uv\" [0 0 1 0 1 1 0 1]\n";
