@@ -40,7 +40,7 @@ TEST_F(ToolGltfLight, SpotsShineAlongMinusZBetweenTheirAngles) {
 TEST_F(ToolGltfLight, LuxAreWattsPerSquareMetreAlongMinusZ) {
   const LightDescription sun =
       read_light("\"type\":\"directional\",\"name\":\"sun\",\"intensity\":3", ",\"rotation\":[0,1,0,0]").lights.at(0);
-  EXPECT_EQ(sun.type, kLightDirectional);
+  EXPECT_EQ(sun.type, BDPT_LIGHT_DIRECTIONAL);
   EXPECT_EQ(sun.value, (Rgb{3, 3, 3}));
   EXPECT_EQ(sun.label, "sun");
   expect_near({sun.direction[0], sun.direction[1], sun.direction[2]}, Vec3{0, 0, 1});

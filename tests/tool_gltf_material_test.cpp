@@ -1,21 +1,24 @@
 // Materials of glTF: every value of the core and the extensions, and what the library makes of them.
 //
 // SPDX-License-Identifier: Apache-2.0
+#include <functional>
+#include <set>
+
 #include "gltf_fixture.h"
 
 namespace bdpt_tool {
 namespace {
 
-TEST_F(ToolGltf, WhatIsNoMetalIsDiffuseOfItsBaseColour) {
+TEST_F(ToolGltf, MaterialsArePrincipledAndNothingOfTheCoreIsLost) {
   const SceneDescription scene = read_material(
       "\"name\":\"Wall\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.25,0.5,1,1],\"metallicFactor\":0}");
   const MaterialDescription material = lower(scene);
-  EXPECT_EQ(scene.materials.at(0).type, kMaterialPrincipled);
-  EXPECT_EQ(material.type, BDPT_MATERIAL_DIFFUSE);
+  EXPECT_EQ(scene.materials.at(0).type, BDPT_MATERIAL_PRINCIPLED);
+  EXPECT_EQ(material.type, BDPT_MATERIAL_PRINCIPLED);
   EXPECT_EQ(material.label, "Wall");
   EXPECT_EQ(material.reflectance, (Rgb{.25f, .5f, 1}));
   EXPECT_TRUE(material.one_sided);
-  EXPECT_EQ(notes_with("without the gloss on top: Wall"), 1u) << notes();
+  EXPECT_EQ(diagnostics_.count(), 2u) << notes();  // of the camera and the light
 }
 
 TEST_F(ToolGltf, DoubleSidedMaterialsHaveTwoSidesAndEmitFromBoth) {
@@ -35,44 +38,28 @@ TEST_F(ToolGltf, EmissiveStrengthMultipliesEmission) {
   EXPECT_EQ(scene.materials.at(0).emission, (Rgb{100, 50, 0}));
 }
 
-TEST_F(ToolGltf, AMetalIsAConductorThatReflectsItsBaseColour) {
-  const SceneDescription scene =
-      read_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.9,0.5,0,1],\"roughnessFactor\":0.5}");
-  const MaterialDescription material = lower(scene);
-  ASSERT_EQ(material.type, BDPT_MATERIAL_CONDUCTOR);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double eta = material.eta[c], k = material.k[c];
-    const double reflectance = ((eta - 1) * (eta - 1) + k * k) / ((eta + 1) * (eta + 1) + k * k);
-    EXPECT_NEAR(reflectance, (Rgb{.9f, .5f, 0})[c], 1e-5);
-  }
-  EXPECT_EQ(material.roughness, (std::array<float, 2>{.25f, .25f}));
-  EXPECT_EQ(diagnostics_.count(), 2u) << notes();  // of the camera and the light
-}
-
 TEST_F(ToolGltf, WithoutAMaterialAPrimitiveHasTheDefaultOneWhichIsARoughMetal) {
-  const SceneDescription scene = read_primitive(triangle());
-  EXPECT_EQ(lower(scene).type, BDPT_MATERIAL_CONDUCTOR);
-  EXPECT_EQ(lower(scene).roughness, (std::array<float, 2>{1, 1}));
+  const MaterialDescription material = lower(read_primitive(triangle()));
+  EXPECT_EQ(material.type, BDPT_MATERIAL_PRINCIPLED);
+  EXPECT_EQ(material.principled.metallic.factor, 1);
+  EXPECT_EQ(material.principled.roughness.factor, 1);
 }
 
-TEST_F(ToolGltf, HalfMetalsAreDiffuseAndToldOf) {
-  const SceneDescription scene = read_material("\"pbrMetallicRoughness\":{\"metallicFactor\":0.5}");
-  EXPECT_EQ(lower(scene).type, BDPT_MATERIAL_DIFFUSE);
-  EXPECT_EQ(notes_with("half metals, are taken as diffuse"), 1u);
-}
-
-TEST_F(ToolGltf, TransmissionMakesGlassOfTheIndexGiven) {
-  const std::string transmission = "\"KHR_materials_transmission\":{\"transmissionFactor\":1}";
-  const MaterialDescription plain = lower(read_material("\"extensions\":{" + transmission + "}"));
-  EXPECT_EQ(plain.type, BDPT_MATERIAL_DIELECTRIC);
-  EXPECT_FLOAT_EQ(plain.ior, 1.5f);
-  EXPECT_FALSE(plain.one_sided);
-  EXPECT_EQ(notes_with("thin-walled"), 1u);
-  const MaterialDescription diamond =
-      lower(read_material("\"pbrMetallicRoughness\":{\"roughnessFactor\":0},\"extensions\":{" + transmission +
-                          ",\"KHR_materials_ior\":{\"ior\":2.4},\"KHR_materials_volume\":{\"thicknessFactor\":1}}"));
-  EXPECT_FLOAT_EQ(diamond.ior, 2.4f);
-  EXPECT_EQ(diamond.roughness, (std::array<float, 2>{0, 0}));
+TEST_F(ToolGltf, WhatTransmitsHasTwoSidesAndWhatIsOutsideOfTheLibrarysBoundsIsToldOf) {
+  const std::string transmission = "\"KHR_materials_transmission\":{\"transmissionFactor\":0.5}";
+  const MaterialDescription pane = lower(read_material("\"extensions\":{" + transmission + "}"));
+  EXPECT_FALSE(pane.one_sided);
+  EXPECT_EQ(pane.principled.thickness.factor, 0);
+  buffer_ = GltfBuffer();
+  const MaterialDescription odd = lower(read_material(
+      "\"pbrMetallicRoughness\":{\"roughnessFactor\":0.01},\"extensions\":{" + transmission +
+      ",\"KHR_materials_ior\":{\"ior\":0},\"KHR_materials_specular\":{\"specularColorFactor\":[0,1,2]}}"));
+  EXPECT_EQ(odd.ior, 1.5f);
+  EXPECT_EQ(odd.principled.roughness.factor, 0);
+  EXPECT_GT(odd.principled.specular_color.factor[0], 0);  // three zeros would be the default
+  EXPECT_EQ(odd.principled.specular_color.factor[2], 1);
+  EXPECT_EQ(notes_with("an index of refraction outside [1, 10] becomes 1.5"), 1u) << notes();
+  EXPECT_EQ(notes_with("a colour of gloss above 1 becomes 1"), 1u) << notes();
 }
 
 TEST_F(ToolGltf, MaterialsAreConvertedOnceAndOnlyWhenUsed) {
@@ -165,6 +152,64 @@ TEST_F(ToolGltf, UnlitMaterialsEmitTheirColourAndAreNotLit) {
   EXPECT_EQ(lower(scene).emission, (Rgb{0.25f, 0.5f, 1}));
   EXPECT_EQ(lower(scene).reflectance, (Rgb{0, 0, 0}));
   EXPECT_TRUE(scene.lights.empty());  // there is nothing to be lit
+}
+
+// Each number and each texture changes what the library has.
+TEST_F(ToolGltfTexture, EveryValueReachesTheLibrary) {
+  const SceneDescription scene =
+      read_textured("\"pbrMetallicRoughness\":{\"metallicFactor\":0.5,\"roughnessFactor\":0.5}", image_uri(png(kTwo)));
+  const Context context = make_context(1, diagnostics_);
+  std::set<std::uint64_t> hashes;
+  const auto hash = [&](const std::function<void(MaterialDescription&, PrincipledDescription&)>& change) {
+    SceneDescription copy = scene;
+    copy.textures.assign(1, {.label = "t", .where = {}, .image = ByteImage{1, 1, 4, {1, 2, 3, 4}}, .exponent = 1});
+    MaterialDescription& material = copy.materials.at(0);
+    change(material, material.principled);
+    const Scene built = build_scene(context.get(), copy);
+    auto info = sized<bdpt_scene_info>();
+    check(bdpt_scene_get_info(built.get(), &info), "the scene");
+    return info.hash;
+  };
+  hashes.insert(hash([](MaterialDescription&, PrincipledDescription&) {}));
+  std::size_t changes = 1;
+  using P = PrincipledDescription;
+  for (FloatValue P::*value :
+       {&P::metallic, &P::roughness, &P::specular, &P::transmission, &P::clearcoat, &P::anisotropy}) {
+    hashes.insert(hash([&](MaterialDescription&, P& p) { (p.*value).factor = 0.25f; }));
+    hashes.insert(hash([&](MaterialDescription&, P& p) { (p.*value) = {0.25f, {.texture = 0}, (p.*value).channel}; }));
+    changes += 2;
+  }
+  for (ColorValue P::*value : {&P::specular_color, &P::sheen_color}) {
+    hashes.insert(hash([&](MaterialDescription&, P& p) { (p.*value).factor = {0.25f, 0.5f, 0.75f}; }));
+    hashes.insert(hash([&](MaterialDescription&, P& p) { (p.*value) = {{0.25f, 0.5f, 0.75f}, {.texture = 0}}; }));
+    changes += 2;
+  }
+  const std::function<void(MaterialDescription&, P&)> others[] = {
+      [](MaterialDescription&, P& p) { p.clearcoat.factor = 1, p.clearcoat_roughness.factor = 0.5f; },
+      [](MaterialDescription&, P& p) {
+        p.clearcoat.factor = 1, p.clearcoat_roughness = {0.5f, {.texture = 0}, 1};
+      },
+      [](MaterialDescription&, P& p) {
+        p.sheen_color.factor = {1, 1, 1}, p.sheen_roughness.factor = 0.5f;
+      },
+      [](MaterialDescription&, P& p) {
+        p.sheen_color.factor = {1, 1, 1}, p.sheen_roughness = {0.5f, {.texture = 0}, 3};
+      },
+      [](MaterialDescription&, P& p) { p.anisotropy.factor = 1, p.anisotropy_rotation = 1; },
+      [](MaterialDescription&, P& p) { p.transmission.factor = 1, p.thickness.factor = 1; },
+      [](MaterialDescription&, P& p) {
+        p.transmission.factor = p.thickness.factor = p.attenuation_distance = 1, p.attenuation_color = {0.5f, 1, 1};
+      },
+      [](MaterialDescription& m, P&) { m.ior = 2; },
+      [](MaterialDescription& m, P&) {
+        m.emission = {1, 1, 1};
+      },
+      [](MaterialDescription& m, P&) {
+        m.emission = {1, 1, 1}, m.emission_texture.texture = 0;
+      },
+  };
+  for (const auto& change : others) hashes.insert(hash(change)), ++changes;
+  EXPECT_EQ(hashes.size(), changes);
 }
 
 }  // namespace

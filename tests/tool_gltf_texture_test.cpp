@@ -57,14 +57,14 @@ TEST_F(ToolGltfTexture, ATextureSaysWhichUvItWantsAndHowTheyAreMoved) {
   EXPECT_EQ(mesh(moved).uv_lightmap, (Floats{1, 0, 0, 1, .5f, .5f}));
 }
 
-TEST_F(ToolGltfTexture, AnEmissionTextureBecomesItsMean) {
+TEST_F(ToolGltfTexture, AnEmissionTextureMultipliesTheEmission) {
   const SceneDescription scene = read_textured(
       "\"emissiveFactor\":[1,1,0.5],\"emissiveTexture\":{\"index\":0},\"extensions\":{"
       "\"KHR_materials_emissive_strength\":{\"emissiveStrength\":4}}",
       image_uri(png(kTwo)));
-  const Rgb emission = lower(scene).emission;
-  expect_near(Floats(emission.begin(), emission.end()), {2, 2, srgb_to_linear(128 / 255.0f) + 1});
-  EXPECT_EQ(notes_with("a texture of emission becomes its mean"), 1u);
+  EXPECT_EQ(lower(scene).emission, (Rgb{4, 4, 2}));
+  EXPECT_EQ(lower(scene).emission_texture.texture, 0);
+  EXPECT_EQ(notes_with("emission"), 0u) << notes();
 }
 
 TEST_F(ToolGltfTexture, SamplersSayHowTexturesGoOnAndAreFiltered) {

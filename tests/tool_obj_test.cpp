@@ -165,12 +165,14 @@ TEST_F(ToolObj, MaterialsAreReadByTheirIllumination) {
   EXPECT_EQ(mirror.type, BDPT_MATERIAL_MIRROR);
   EXPECT_EQ(mirror.reflectance, (Rgb{.9f, .8f, .7f}));
   const MaterialDescription glass = read_material("Ni 2.5\nd 0.1\nTf 0.5 0.5 0.5\nillum 7\n").materials[0];
-  EXPECT_EQ(glass.type, BDPT_MATERIAL_DIELECTRIC);
+  EXPECT_EQ(glass.type, BDPT_MATERIAL_PRINCIPLED);
+  EXPECT_EQ(glass.reflectance, (Rgb{.5f, .5f, .5f}));
+  EXPECT_EQ(glass.principled.transmission.factor, 1);
   EXPECT_EQ(glass.ior, 2.5f);
   EXPECT_EQ(glass.alpha_mode, AlphaMode::kOpaque);
-  EXPECT_TRUE(warned("the filter Tf of glass is left out"));
+  EXPECT_EQ(read_material("Ni 2.5\nillum 7\n").materials[0].type, BDPT_MATERIAL_DIELECTRIC);
   const MaterialDescription gloss = read_material("Kd 0.5 0.5 0.5\nKs 0.2 0.2 0.2\nNs 6\n").materials[0];
-  EXPECT_EQ(gloss.type, kMaterialPrincipled);
+  EXPECT_EQ(gloss.type, BDPT_MATERIAL_PRINCIPLED);
   EXPECT_NEAR(gloss.principled.roughness.factor * gloss.principled.roughness.factor, std::sqrt(2 / 8.0), 1e-6);
   const MaterialDescription lamp = read_material("Ke 1 2 3\nTr 0\n").materials[0];
   EXPECT_EQ(lamp.emission, (Rgb{1, 2, 3}));

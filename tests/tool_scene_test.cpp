@@ -445,21 +445,21 @@ TEST_F(ToolScene, CoatsTransmissionAndThinGlassAreReadWhole) {
       kTriangle + "Material \"thindielectric\" \"float eta\" 1.75\n" + kTriangle + "Material \"interface\"\n" +
       kTriangle);
   const MaterialDescription& plastic = scene.materials[0];
-  EXPECT_EQ(plastic.type, kMaterialCoatedDiffuse);
+  EXPECT_EQ(plastic.type, BDPT_MATERIAL_COATED_DIFFUSE);
   EXPECT_EQ(plastic.reflectance, (Rgb{.1f, .2f, .3f}));
   EXPECT_EQ(plastic.coat.roughness, (std::array<float, 2>{.5f, .5f}));
   EXPECT_EQ(plastic.coat.thickness, .5f);
   EXPECT_EQ(plastic.coat.ior, 1.25f);
   EXPECT_EQ(plastic.coat.g, .5f);
-  EXPECT_EQ(scene.materials[1].type, kMaterialCoatedConductor);
+  EXPECT_EQ(scene.materials[1].type, BDPT_MATERIAL_COATED_CONDUCTOR);
   EXPECT_EQ(scene.materials[1].coat.roughness[0], .5f);
   EXPECT_EQ(scene.materials[1].roughness[0], .25f);
   EXPECT_NEAR(scene.materials[1].eta[2], 1.4425f, 1e-3f);
-  EXPECT_EQ(scene.materials[2].type, kMaterialDiffuseTransmission);
+  EXPECT_EQ(scene.materials[2].type, BDPT_MATERIAL_DIFFUSE_TRANSMISSION);
   EXPECT_EQ(scene.materials[2].transmittance.factor, (Rgb{.125f, .25f, .125f}));
   EXPECT_EQ(scene.materials[3].type, kMaterialThinDielectric);
   EXPECT_EQ(scene.materials[3].ior, 1.75f);
-  EXPECT_EQ(scene.materials[4].type, kMaterialInterface);
+  EXPECT_EQ(scene.materials[4].type, BDPT_MATERIAL_INTERFACE);
 }
 
 TEST_F(ToolScene, MixesNameTwoMaterials) {
@@ -469,7 +469,7 @@ TEST_F(ToolScene, MixesNameTwoMaterials) {
   const SceneDescription scene =
       read_world(parts + "Material \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .25\n" + kTriangle);
   const MaterialDescription& mix = scene.materials[static_cast<std::size_t>(scene.instances[0].material)];
-  EXPECT_EQ(mix.type, kMaterialMix);
+  EXPECT_EQ(mix.type, BDPT_MATERIAL_MIX);
   EXPECT_EQ(mix.mix_amount.factor, .25f);
   EXPECT_EQ(scene.materials[static_cast<std::size_t>(mix.mixed[0])].type, BDPT_MATERIAL_DIFFUSE);
   EXPECT_EQ(scene.materials[static_cast<std::size_t>(mix.mixed[1])].type, BDPT_MATERIAL_CONDUCTOR);
@@ -501,7 +501,7 @@ TEST_F(ToolScene, SpectraAndBlackBodiesBecomeRgb) {
 TEST_F(ToolScene, DistantLightsComeFromFromToTo) {
   const SceneDescription scene = read_world(
       "LightSource \"distant\" \"point3 from\" [0 2 0] \"point3 to\" [0 0 0] \"rgb L\" [1 2 3] \"float scale\" 2\n");
-  EXPECT_EQ(scene.lights[0].type, kLightDirectional);
+  EXPECT_EQ(scene.lights[0].type, BDPT_LIGHT_DIRECTIONAL);
   EXPECT_EQ(scene.lights[0].direction, (Rgb{0, -1, 0}));
   EXPECT_EQ(scene.lights[0].value, (Rgb{2, 4, 6}));
 }

@@ -3,57 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bdpt_tool {
 namespace {
 
-// Below the first a surface is smooth; the second is how close to 1 a reflectance by a complex index comes.
-constexpr double kSmoothAlpha = 1e-3, kMaxReflectance = 0.9999;
+constexpr float kSmoothAlpha = 1e-3f;  // below it a surface is smooth
 constexpr float kMinIor = 1, kMaxIor = 10, kDefaultIor = 1.5f;
+constexpr float kDark = 1e-6f;  // of a colour that must not be zero
 
 const TextureDescription& texture_of(const SceneDescription& scene, const TextureUse& use) {
   return scene.textures[static_cast<std::size_t>(use.texture)];
-}
-
-Rgb mean_of(const TextureDescription& texture) {
-  const Image linear = to_linear(texture.image, texture.exponent);
-  std::array<double, 3> sum = {};
-  for (std::size_t i = 0; i < linear.pixels.size(); ++i) sum[i % 3] += static_cast<double>(linear.pixels[i]);
-  const double texels = static_cast<double>(linear.width) * linear.height;
-  return {static_cast<float>(sum[0] / texels), static_cast<float>(sum[1] / texels),
-          static_cast<float>(sum[2] / texels)};
-}
-
-// By solid angle.
-Rgb mean_of_sphere(const TextureDescription& texture) {
-  const Image linear = to_linear(texture.image, texture.exponent);
-  std::array<double, 3> sum = {};
-  double weights = 0;
-  for (std::uint32_t y = 0; y < linear.height; ++y) {
-    const double weight = std::sin(std::numbers::pi * (y + 0.5) / linear.height);
-    weights += weight * linear.width;
-    const float* row = &linear.pixels[std::size_t{3} * linear.width * y];
-    for (std::size_t i = 0; i < std::size_t{3} * linear.width; ++i) sum[i % 3] += weight * static_cast<double>(row[i]);
-  }
-  return {static_cast<float>(sum[0] / weights), static_cast<float>(sum[1] / weights),
-          static_cast<float>(sum[2] / weights)};
-}
-
-std::array<float, 2> ggx_alpha(float roughness) {
-  const double alpha = static_cast<double>(roughness) * static_cast<double>(roughness);
-  if (alpha < kSmoothAlpha) return {0, 0};
-  return {static_cast<float>(alpha), static_cast<float>(alpha)};
-}
-
-// The index with eta = 1 whose reflectance at normal incidence is this.
-void set_conductor(const Rgb& reflectance, MaterialDescription& to) {
-  to.type = BDPT_MATERIAL_CONDUCTOR;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double r = std::clamp(static_cast<double>(reflectance[c]), 0.0, kMaxReflectance);
-    to.eta[c] = 1;
-    to.k[c] = static_cast<float>(2 * std::sqrt(r) / std::sqrt(1 - r));
-  }
 }
 
 class Lowering {
@@ -63,41 +22,38 @@ class Lowering {
 
   MaterialDescription run() {
     switch (from_.type) {
-      case kMaterialPrincipled:
+      case BDPT_MATERIAL_PRINCIPLED:
         lower_principled();
         break;
-      case kMaterialCoatedDiffuse:
-        to_.type = BDPT_MATERIAL_DIFFUSE;
-        note("coats of dielectric are left out: what lies below them is seen");
+      case BDPT_MATERIAL_COATED_DIFFUSE:
+        to_.ior = from_.coat.ior;
+        to_.roughness = from_.coat.roughness;
+        lower_coat(to_.ior);
         break;
-      case kMaterialCoatedConductor:
-        to_.type = BDPT_MATERIAL_CONDUCTOR;
-        note("coats of dielectric are left out: what lies below them is seen");
+      case BDPT_MATERIAL_COATED_CONDUCTOR:
+        lower_coat(to_.coat.ior);
+        if (from_.coat.roughness[0] != from_.coat.roughness[1]) note("coats are rough alike in all directions");
         break;
-      case kMaterialDiffuseTransmission:
-        to_.type = BDPT_MATERIAL_DIFFUSE;
-        note("diffuse transmission is left out: light is reflected alone");
+      case BDPT_MATERIAL_DIFFUSE_TRANSMISSION:
+        lower_diffuse_transmission();
         break;
       case kMaterialThinDielectric:
-        to_.type = BDPT_MATERIAL_DIELECTRIC;
-        note("thin-walled transmission is taken as solid glass, which refracts");
+        to_.type = BDPT_MATERIAL_PRINCIPLED;
+        to_.reflectance = {1, 1, 1};
+        to_.principled.transmission.factor = 1;
+        to_.principled.roughness.factor = 0;
         break;
-      case kMaterialMix:
-        note("a mix of materials becomes the one that it has more of");
-        return lowered(scene_, scene_.materials[static_cast<std::size_t>(from_.mixed[from_.mix_amount.factor > 0.5f])],
-                       notes_);
+      case BDPT_MATERIAL_MIX:
+        lower_mix();
+        break;
+      case BDPT_MATERIAL_INTERFACE:
+        lower_interface();
+        break;
       default:
         break;
     }
-    if (to_.type == BDPT_MATERIAL_DIELECTRIC) {
-      to_.one_sided = false;
-      if (!(to_.ior >= 0.1f && to_.ior <= kMaxIor)) {
-        note("an index of refraction outside [1, 10] becomes 1.5");
-        to_.ior = kDefaultIor;
-      }
-    }
-    lower_roughness();
-    lower_emission();
+    if (passes_light()) to_.one_sided = false;
+    lower_index();
     lower_alpha();
     lower_textures();
     return to_;
@@ -105,69 +61,103 @@ class Lowering {
 
  private:
   void note(const char* text) { notes_.add(text, where_); }
-  bool textured(const FloatValue& value) const { return value.texture.texture >= 0; }
+  const MaterialDescription& part(int index) const {
+    return scene_.materials[static_cast<std::size_t>(from_.mixed[static_cast<std::size_t>(index)])];
+  }
 
   void lower_principled() {
-    const PrincipledDescription& p = from_.principled;
     if (from_.unlit) {
       to_.type = BDPT_MATERIAL_DIFFUSE;
       to_.reflectance = {0, 0, 0};
       to_.reflectance_texture = {};
-    } else if (p.transmission.factor >= 0.5f) {
-      principled_glass(p);
-    } else if (p.metallic.factor == 1 && !textured(p.metallic) && from_.reflectance_texture.texture < 0) {
-      set_conductor(from_.reflectance, to_);
-      to_.roughness = ggx_alpha(p.roughness.factor);
-    } else {
-      principled_diffuse(p);
+      return;
     }
-    const bool coated = p.clearcoat.factor > 0;
-    const bool sheen = p.sheen_color.factor != Rgb{0, 0, 0};
-    if (coated) note("clear coats are left out");
-    if (sheen) note("sheen is left out");
+    PrincipledDescription& p = to_.principled;
+    if (p.roughness.factor * p.roughness.factor < kSmoothAlpha)
+      p.roughness = {.factor = 0, .texture = {}, .channel = 1};
+    bound(p.specular_color.factor, "a colour of gloss above 1 becomes 1");
+    bound(p.sheen_color.factor, "a colour of sheen above 1 becomes 1");
+    for (float& channel : p.specular_color.factor) channel = std::max(channel, kDark);
     if (p.iridescence.factor > 0) note("iridescence is left out");
-    if (p.anisotropy.factor > 0) note("anisotropy is left out");
     if (p.dispersion > 0) note("dispersion is left out: this program works in RGB");
+    if (p.clearcoat.factor > 0 && p.clearcoat_normal.texture.texture >= 0)
+      note("normal maps of clear coats are left out: they are those of what lies below");
   }
 
-  void principled_glass(const PrincipledDescription& p) {
-    to_.type = BDPT_MATERIAL_DIELECTRIC;
-    if (from_.ior < kMinIor) to_.ior = 0;  // is told of where all indices are
-    to_.roughness = ggx_alpha(p.roughness.factor);
-    if (p.transmission.factor < 1) note("transmission of half and more is taken as whole");
-    if (textured(p.transmission)) note("textures of transmission are left out");
-    if (p.thickness.factor == 0) note("thin-walled transmission is taken as solid glass, which refracts");
-    if (p.attenuation_distance > 0) note("absorption in a volume is left out");
-    if (from_.reflectance != Rgb{1, 1, 1} || from_.reflectance_texture.texture >= 0) note("glass has no base colour");
-    to_.reflectance_texture = {};
-  }
-
-  void principled_diffuse(const PrincipledDescription& p) {
-    to_.type = BDPT_MATERIAL_DIFFUSE;
-    if (p.transmission.factor > 0) note("transmission of less than half is left out");
-    if (textured(p.metallic) && p.metallic.factor > 0) {
-      note("materials whose metalness is a texture are taken as diffuse");
-    } else if (p.metallic.factor > 0) {
-      note("metals of textured colour, and half metals, are taken as diffuse");
-    } else {
-      note("materials that are no metal are taken as diffuse, without the gloss on top");
+  void bound(Rgb& color, const char* text) {
+    for (float& channel : color) {
+      if (channel > 1) note(text);
+      channel = std::min(channel, 1.0f);
     }
   }
 
-  void lower_emission() {
-    if (from_.emission_texture.texture < 0 || !from_.emits()) return;
-    note("a texture of emission becomes its mean");
-    const Rgb mean = mean_of(texture_of(scene_, from_.emission_texture));
-    for (std::size_t c = 0; c < 3; ++c) to_.emission[c] *= mean[c];
+  void lower_coat(float& ior) {
+    if (from_.coat.albedo != Rgb{0, 0, 0}) note("coats of dielectric are clear: what they scatter is left out");
+    if (ior >= kMinIor) return;
+    note("coats of an index below 1 have that of 1.5");
+    ior = kDefaultIor;
   }
 
-  bool is_smooth_or_rough() const {
-    return to_.type == BDPT_MATERIAL_CONDUCTOR || to_.type == BDPT_MATERIAL_DIELECTRIC;
+  void lower_diffuse_transmission() {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float sum = to_.reflectance[c] + to_.transmittance.factor[c];
+      if (sum <= 1) continue;
+      note("what reflects and transmits more than it receives is darkened to what it receives");
+      to_.reflectance[c] /= sum;
+      to_.transmittance.factor[c] /= sum;
+    }
   }
 
-  // The texture of what is smooth by its factor has nothing to vary.
-  void lower_roughness() {
-    if (!is_smooth_or_rough() || to_.roughness[0] == 0) to_.principled.roughness.texture = {};
+  // What is partly an interface is there with that probability.
+  void lower_mix() {
+    for (int i = 0; i < 2; ++i) {
+      if (part(i).type != BDPT_MATERIAL_INTERFACE || part(1 - i).type == BDPT_MATERIAL_INTERFACE) continue;
+      if (i == 1 && from_.mix_amount.texture.texture >= 0) break;
+      to_ = lowered(scene_, part(1 - i), notes_);
+      to_.alpha_mode = AlphaMode::kBlend;
+      to_.alpha = from_.mix_amount;
+      if (i == 1) to_.alpha.factor = 1 - from_.mix_amount.factor;
+      to_.emission = from_.emission;
+      return;
+    }
+    const bool has_odd_part =
+        std::any_of(from_.mixed.begin(), from_.mixed.end(), [&](int i) { return is_odd_part(i); });
+    if (!has_odd_part) {
+      for (int i = 0; i < 2; ++i) {
+        if (part(i).normal.texture.texture >= 0 || part(i).bump.texture.texture >= 0)
+          note("normal and bump maps of what is mixed are left out");
+      }
+      return;
+    }
+    note("a mix of mixes or interfaces becomes what it has more of");
+    to_ = lowered(scene_, part(from_.mix_amount.factor > 0.5f), notes_);
+    to_.emission = from_.emission;
+  }
+
+  bool is_odd_part(int material) const {
+    const bdpt_material_type type = scene_.materials[static_cast<std::size_t>(material)].type;
+    return type == BDPT_MATERIAL_MIX || type == BDPT_MATERIAL_INTERFACE;
+  }
+
+  void lower_interface() {
+    to_.alpha_mode = AlphaMode::kOpaque;
+    if (!to_.emits()) return;
+    note("interfaces do not shine, as in pbrt");
+    to_.emission = {};
+  }
+
+  bool passes_light() const {
+    return to_.type == BDPT_MATERIAL_DIELECTRIC || to_.type == BDPT_MATERIAL_INTERFACE ||
+           to_.type == BDPT_MATERIAL_DIFFUSE_TRANSMISSION || to_.type == BDPT_MATERIAL_MIX ||
+           (to_.type == BDPT_MATERIAL_PRINCIPLED && to_.principled.transmission.factor > 0);
+  }
+
+  void lower_index() {
+    if (to_.type != BDPT_MATERIAL_DIELECTRIC && to_.type != BDPT_MATERIAL_PRINCIPLED) return;
+    const float least = to_.type == BDPT_MATERIAL_PRINCIPLED ? kMinIor : 1 / kMaxIor;
+    if (to_.ior >= least && to_.ior <= kMaxIor) return;
+    note("an index of refraction outside [1, 10] becomes 1.5");
+    to_.ior = kDefaultIor;
   }
 
   void lower_alpha() {
@@ -183,12 +173,12 @@ class Lowering {
   }
 
   void lower_textures() {
-    if (is_smooth_or_rough()) {
-      to_.reflectance_texture = {};
-      if (from_.uses_vertex_colors) note("colours of vertices are left out, but of what is diffuse");
-    }
+    const bool is_plain = to_.type == BDPT_MATERIAL_CONDUCTOR || to_.type == BDPT_MATERIAL_DIELECTRIC ||
+                          to_.type == BDPT_MATERIAL_COATED_CONDUCTOR;
+    if (is_plain || to_.type == BDPT_MATERIAL_MIX || to_.type == BDPT_MATERIAL_INTERFACE) to_.reflectance_texture = {};
+    if (is_plain && from_.uses_vertex_colors) note("colours of vertices are left out of metals and glass");
     for (const TextureUse* use : {&to_.reflectance_texture, &to_.normal.texture, &to_.bump.texture, &to_.alpha.texture,
-                                  &to_.principled.roughness.texture}) {
+                                  &to_.emission_texture, &to_.principled.roughness.texture}) {
       if (use->texture < 0) continue;
       const auto& wrap = texture_of(scene_, *use).wrap;
       if (wrap[0] == Wrap::kBlack || wrap[1] == Wrap::kBlack)
@@ -209,18 +199,14 @@ MaterialDescription lowered(const SceneDescription& scene, const MaterialDescrip
   return Lowering(scene, material, notes).run();
 }
 
-bool lower(const SceneDescription& scene, LightDescription& light, Notes& notes) {
-  if (light.type == kLightDirectional) {
-    notes.add("directional lights are not known yet, and are left out", light.label);
-    return false;
-  }
-  if (light.type == BDPT_LIGHT_ENVIRONMENT && light.texture >= 0) {
-    notes.add("the picture of an environment becomes its mean", light.label);
-    const Rgb mean = mean_of_sphere(scene.textures[static_cast<std::size_t>(light.texture)]);
-    for (std::size_t c = 0; c < 3; ++c) light.value[c] *= mean[c];
-    light.texture = -1;
-  }
-  return true;
+MaterialDescription lowered_part(const SceneDescription& scene, int material, Notes& notes) {
+  MaterialDescription part = lowered(scene, scene.materials[static_cast<std::size_t>(material)], notes);
+  part.normal.texture = part.bump.texture = {};
+  part.alpha_mode = AlphaMode::kOpaque;
+  part.emission = {};
+  part.interior = -1;
+  part.principled.attenuation_distance = 0;
+  return part;
 }
 
 void tell_what_is_lost(const SceneDescription& scene, Diagnostics& diagnostics) {
@@ -232,7 +218,6 @@ void tell_what_is_lost(const SceneDescription& scene, Diagnostics& diagnostics) 
     seen[material] = true;
     lowered(scene, scene.materials[material], notes);
   }
-  for (LightDescription light : scene.lights) lower(scene, light, notes);
   notes.tell();
 }
 

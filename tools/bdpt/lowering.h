@@ -1,5 +1,5 @@
-// What the library cannot render yet, and what it gets instead. All of that is here: what the library learns goes from
-// here to scene_upload.cpp.
+// What the library cannot render, and what it gets instead. All of that is here: what the library learns goes from here
+// to scene_upload.cpp.
 //
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
@@ -9,14 +9,13 @@
 
 namespace bdpt_tool {
 
-// A material of the library's types and fields alone: of `principled` it has a texture of roughness and nothing else.
-// `notes` hears of each thing that is lost.
+// A material of the library's types and within its bounds. `notes` hears of each thing that is lost.
 MaterialDescription lowered(const SceneDescription& scene, const MaterialDescription& material, Notes& notes);
 
-// Whether the library has this light; if not, `notes` hears of it. An environment's texture becomes its mean.
-bool lower(const SceneDescription& scene, LightDescription& light, Notes& notes);
+// One of the two materials of a mix, whose surface is the mix's own.
+MaterialDescription lowered_part(const SceneDescription& scene, int material, Notes& notes);
 
-// Warns of what will be lost of the materials and lights of a scene.
+// Warns of what will be lost of the materials of a scene.
 void tell_what_is_lost(const SceneDescription& scene, Diagnostics& diagnostics);
 
 }  // namespace bdpt_tool

@@ -65,8 +65,17 @@ void convert_colors(const bdpt_context* context, SceneDescription& description) 
   const ColorConverter converter(context);
   for (MaterialDescription& material : description.materials) {
     converter.convert_to_reflectance(material.reflectance);
+    converter.convert_to_reflectance(material.transmittance.factor);
+    converter.convert_to_reflectance(material.principled.specular_color.factor);
+    converter.convert_to_reflectance(material.principled.sheen_color.factor);
+    converter.convert_to_reflectance(material.principled.attenuation_color);
     converter.convert_to_light(material.emission);
-    if (material.type == BDPT_MATERIAL_CONDUCTOR) converter.convert_metal(material.eta, material.k);
+    if (material.type == BDPT_MATERIAL_CONDUCTOR || material.type == BDPT_MATERIAL_COATED_CONDUCTOR)
+      converter.convert_metal(material.eta, material.k);
+  }
+  for (MediumDescription& medium : description.media) {
+    converter.convert_to_light(medium.sigma_a);
+    converter.convert_to_light(medium.sigma_s);
   }
   for (LightDescription& light : description.lights) converter.convert_to_light(light.value);
 }

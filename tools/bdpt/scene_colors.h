@@ -8,7 +8,7 @@
 
 namespace bdpt_tool {
 
-// Materials and lights; textures name their space when they are handed over.
+// Materials, media and lights; textures name their space when they are handed over.
 void convert_colors(const bdpt_context* context, SceneDescription& description);
 
 }  // namespace bdpt_tool

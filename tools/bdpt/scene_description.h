@@ -13,6 +13,7 @@
 
 #include "bdpt.h"
 #include "error.h"
+#include "ies.h"
 #include "image.h"
 #include "mesh.h"
 
@@ -94,11 +95,8 @@ struct PrincipledDescription {
   float anisotropy_rotation = 0;                                       // radians
 };
 
-// Types of materials and lights that the library does not have yet; lowering.cpp says what becomes of them.
-constexpr bdpt_material_type kMaterialPrincipled = -1, kMaterialCoatedDiffuse = -2, kMaterialCoatedConductor = -3,
-                             kMaterialDiffuseTransmission = -4, kMaterialThinDielectric = -5, kMaterialMix = -6,
-                             kMaterialInterface = -7;
-constexpr bdpt_light_type kLightDirectional = -1;
+// A smooth window pane: in the library it is principled.
+constexpr bdpt_material_type kMaterialThinDielectric = -1;
 
 struct MaterialDescription {
   bdpt_material_type type = BDPT_MATERIAL_DIFFUSE;
@@ -113,6 +111,7 @@ struct MaterialDescription {
   std::array<float, 2> roughness = {};  // GGX's alpha
   CoatDescription coat;
   PrincipledDescription principled;
+  int interior = -1;                    // what the surfaces enclose, in SceneDescription::media
   std::array<int, 2> mixed = {-1, -1};  // materials
   FloatValue mix_amount;                // of the second
 
@@ -144,6 +143,13 @@ struct InstanceDescription {
   bdpt_material_id material_id{};
 };
 
+struct MediumDescription {
+  std::string label;
+  Location where;
+  Rgb sigma_a = {}, sigma_s = {};  // of world units
+  float g = 0;
+};
+
 struct LightDescription {
   bdpt_light_type type = BDPT_LIGHT_POINT;
   std::string label;
@@ -152,8 +158,11 @@ struct LightDescription {
   Rgb value = {};  // intensity, radiance of an environment, irradiance of what a directional light faces
   float cone_angle = 30, cone_falloff = 5;
   float angular_radius = 0;  // directional, in degrees
-  int texture = -1;          // environment: times the radiance; equirectangular, -z in its middle, +x to the right
+  int texture = -1;          // environment: times the radiance; equirectangular, -z in its middle, +x to the right.
+                             // Spot: thrown onto the square round its cone, its top towards `up`
   std::array<float, 12> transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // environment: local to world, local y up
+  Rgb up = {};
+  std::optional<Luminaire> luminaire;  // point: times the value; about the direction, from `up`
 };
 
 // What is not given in the file is empty, so that the program's own defaults can stand in.
@@ -186,6 +195,8 @@ struct SceneDescription {
   std::vector<TextureDescription> textures;
   std::vector<MaterialDescription> materials;
   std::vector<InstanceDescription> instances;
+  std::vector<MediumDescription> media;
+  int medium = -1;  // what fills the scene
   std::vector<LightDescription> lights;
   CameraDescription camera;
   FilmDescription film;

@@ -38,12 +38,32 @@ const Format& format_of(const std::string& path) {
               "and PLY (*.ply)");
 }
 
+void replace_environment(const std::string& path, SceneDescription& scene) {
+  std::erase_if(scene.lights, [](const LightDescription& light) { return light.type == BDPT_LIGHT_ENVIRONMENT; });
+  LightDescription light;
+  light.type = BDPT_LIGHT_ENVIRONMENT;
+  light.where = {path, 0};
+  light.value = {1, 1, 1};
+  light.texture = static_cast<int>(scene.textures.size());
+  scene.lights.push_back(std::move(light));
+  scene.textures.push_back({.label = std::filesystem::path(path).filename().string(),
+                            .where = {path, 0},
+                            .image = to_linear(read_image(path)),
+                            .exponent = 0,
+                            .wrap = {Wrap::kRepeat, Wrap::kClamp},
+                            .nearest = false});
+}
+
 }  // namespace
 
 void add_read_options(CLI::App& command, ReadOptions& options) {
   command.add_option("--scene", options.scene, "Which scene of a glTF file: its name or number (default: the file's)");
   command.add_option("--folder", options.folder,
                      "Folder that the files a scene names must lie in (default: that of the scene)");
+  command.add_option(
+      "--environment", options.environment,
+      "A picture of the world round the scene, by longitude and latitude, -z in its middle; it takes the "
+      "place of the file's");
 }
 
 SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics, const ReadOptions& options) {
@@ -52,6 +72,7 @@ SceneDescription read_scene(const std::string& path, Diagnostics& diagnostics, c
     throw Error(ExitCode::kUsage, "--scene: only glTF files have several scenes");
   }
   SceneDescription scene = format.read(path, options, diagnostics);
+  if (!options.environment.empty()) replace_environment(options.environment, scene);
   tell_what_is_lost(scene, diagnostics);
   return scene;
 }

@@ -2,6 +2,7 @@
 #include "scene_upload.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -55,18 +56,20 @@ class Uploader {
     for (const MaterialDescription& material : description_.materials) {
       plain.materials.push_back(lowered(description_, material, notes_));
     }
-    for (LightDescription light : description_.lights) {
-      if (lower(description_, light, notes_)) plain.lights.push_back(std::move(light));
-    }
+    plain.lights = description_.lights;
+    plain.media = description_.media;
     convert_colors(context_, plain);
     lowered_ = std::move(plain.materials);
+    described_media_ = std::move(plain.media);
     materials_.resize(lowered_.size());
+    media_.resize(described_media_.size());
     shapes_.resize(description_.shapes.size());
     textures_.resize(description_.textures.size());
     for (InstanceDescription& instance : description_.instances) add(instance);
     for (const LightDescription& light : plain.lights) add(light);
     auto desc = sized<bdpt_build_desc>();
     desc.cancel = cancel;
+    if (description_.medium >= 0) desc.medium = once(media_, described_media_, description_.medium);
     bdpt_scene* scene = nullptr;
     check(bdpt_scene_build(builder_.get(), &desc, &scene), description_.path);
     return Scene(scene);
@@ -165,6 +168,73 @@ class Uploader {
     use(material.alpha.texture, BDPT_SLOT_OPACITY, material.alpha.channel, 0, uses);
   }
 
+  bdpt_medium_id add(const MediumDescription& medium) {
+    auto desc = sized<bdpt_medium_desc>();
+    desc.label = medium.label.c_str();
+    std::copy_n(medium.sigma_a.data(), 3, desc.sigma_a);
+    std::copy_n(medium.sigma_s.data(), 3, desc.sigma_s);
+    desc.g = medium.g;
+    bdpt_medium_id id{};
+    check(bdpt_medium_add(builder_.get(), &desc, &id), medium.where);
+    return id;
+  }
+
+  // A number that multiplies its texture; where it is zero there is nothing to multiply.
+  float number(const FloatValue& value, bdpt_slot slot, std::vector<bdpt_texture_use>& uses) {
+    if (value.factor != 0) use(value.texture, slot, value.channel, 0, uses);
+    return value.factor;
+  }
+  void color(const ColorValue& value, bdpt_slot slot, float* to, std::vector<bdpt_texture_use>& uses) {
+    std::copy_n(value.factor.data(), 3, to);
+    if (value.factor != Rgb{0, 0, 0}) use(value.texture, slot, 0, 0, uses);
+  }
+
+  void set_principled(const MaterialDescription& material, bdpt_material_desc& desc,
+                      std::vector<bdpt_texture_use>& uses) {
+    constexpr float kDegrees = 57.29577951f;
+    const PrincipledDescription& p = material.principled;
+    desc.perceptual_roughness = 1;
+    std::fill_n(desc.roughness, 2, number(p.roughness, BDPT_SLOT_ROUGHNESS, uses));
+    desc.metalness = number(p.metallic, BDPT_SLOT_METALNESS, uses);
+    desc.specular = number(p.specular, BDPT_SLOT_SPECULAR, uses);
+    if (desc.specular == 0) desc.specular = -1;
+    color(p.specular_color, BDPT_SLOT_SPECULAR_COLOR, desc.specular_color, uses);
+    desc.transmission = number(p.transmission, BDPT_SLOT_TRANSMISSION, uses);
+    desc.thin_walled = p.thickness.factor == 0;
+    desc.coat = number(p.clearcoat, BDPT_SLOT_COAT, uses);
+    if (desc.coat > 0) desc.coat_roughness = number(p.clearcoat_roughness, BDPT_SLOT_COAT_ROUGHNESS, uses);
+    color(p.sheen_color, BDPT_SLOT_SHEEN_COLOR, desc.sheen_color, uses);
+    if (p.sheen_color.factor != Rgb{0, 0, 0})
+      desc.sheen_roughness = number(p.sheen_roughness, BDPT_SLOT_SHEEN_ROUGHNESS, uses);
+    desc.anisotropy = p.anisotropy.factor;
+    desc.anisotropy_rotation = p.anisotropy_rotation * kDegrees;
+    if (desc.anisotropy != 0) use(p.anisotropy.texture, BDPT_SLOT_ANISOTROPY, 0, 0, uses);
+    if (desc.transmission > 0 && !desc.thin_walled) desc.interior = absorption(material);
+  }
+
+  // What is left after the distance has the colour. Source: KHR_materials_volume.
+  bdpt_medium_id absorption(const MaterialDescription& material) {
+    constexpr float kDarkest = 1e-6f;
+    const PrincipledDescription& p = material.principled;
+    if (!(p.attenuation_distance > 0) || p.attenuation_color == Rgb{1, 1, 1}) return {};
+    MediumDescription medium;
+    medium.label = material.label;
+    medium.where = material.where;
+    for (std::size_t c = 0; c < 3; ++c)
+      medium.sigma_a[c] = -std::log(std::max(p.attenuation_color[c], kDarkest)) / p.attenuation_distance;
+    return add(medium);
+  }
+
+  void set_mix(const MaterialDescription& material, bdpt_material_desc& desc, std::vector<bdpt_texture_use>& uses) {
+    desc.mix = number(material.mix_amount, BDPT_SLOT_MIX, uses);
+    for (std::size_t i = 0; i < 2; ++i) {
+      SceneDescription part;
+      part.materials.push_back(lowered_part(description_, material.mixed[i], notes_));
+      convert_colors(context_, part);
+      desc.parts[i] = add(part.materials[0]);
+    }
+  }
+
   bdpt_material_id add(const MaterialDescription& material) {
     auto desc = sized<bdpt_material_desc>();
     std::vector<bdpt_texture_use> uses;
@@ -176,12 +246,17 @@ class Uploader {
     std::copy_n(material.k.data(), 3, desc.k);
     desc.ior = material.ior;
     std::copy_n(material.roughness.data(), 2, desc.roughness);
-    if (const FloatValue& roughness = material.principled.roughness; roughness.texture.texture >= 0) {
-      desc.perceptual_roughness = 1;
-      std::fill_n(desc.roughness, 2, roughness.factor);
-      use(roughness.texture, BDPT_SLOT_ROUGHNESS, roughness.channel, 0, uses);
+    if (material.type == BDPT_MATERIAL_PRINCIPLED) set_principled(material, desc, uses);
+    if (material.type == BDPT_MATERIAL_MIX) set_mix(material, desc, uses);
+    if (material.type == BDPT_MATERIAL_DIFFUSE_TRANSMISSION)
+      color(material.transmittance, BDPT_SLOT_TRANSMITTANCE, desc.transmittance, uses);
+    if (material.type == BDPT_MATERIAL_COATED_CONDUCTOR) {
+      desc.coat_ior = material.coat.ior;
+      desc.coat_roughness = std::sqrt(material.coat.roughness[0] * material.coat.roughness[1]);
     }
+    if (material.interior >= 0) desc.interior = once(media_, described_media_, material.interior);
     std::copy_n(material.emission.data(), 3, desc.emission);
+    if (material.emits()) use(material.emission_texture, BDPT_SLOT_EMISSION, 0, 0, uses);
     desc.emission_two_sided = material.emission_two_sided;
     desc.one_sided = material.one_sided;
     use(material.normal.texture, BDPT_SLOT_NORMAL, 0, material.normal.factor, uses);
@@ -194,9 +269,13 @@ class Uploader {
     return id;
   }
 
-  // What is a surface between media alone is no surface here.
+  // What parts no media is no surface here.
+  bool is_nothing(const MaterialDescription& material) const {
+    return material.type == BDPT_MATERIAL_INTERFACE && material.interior == description_.medium;
+  }
+
   void add(InstanceDescription& instance) {
-    if (lowered_[static_cast<std::size_t>(instance.material)].type == kMaterialInterface) return;
+    if (is_nothing(lowered_[static_cast<std::size_t>(instance.material)])) return;
     auto desc = sized<bdpt_instance_desc>();
     desc.label = instance.label.c_str();
     desc.shape = once(shapes_, description_.shapes, instance.shape);
@@ -208,11 +287,30 @@ class Uploader {
   void add(const LightDescription& light) {
     auto desc = sized<bdpt_light_desc>();
     desc.type = light.type;
+    desc.label = light.label.c_str();
     std::copy_n(light.position.data(), 3, desc.position);
     std::copy_n(light.direction.data(), 3, desc.direction);
-    std::copy_n(light.value.data(), 3, light.type == BDPT_LIGHT_ENVIRONMENT ? desc.radiance : desc.intensity);
-    desc.cone_angle = light.cone_angle;
-    desc.cone_falloff = light.cone_falloff;
+    std::copy_n(light.up.data(), 3, desc.up);
+    float* value = light.type == BDPT_LIGHT_ENVIRONMENT   ? desc.radiance
+                   : light.type == BDPT_LIGHT_DIRECTIONAL ? desc.irradiance
+                                                          : desc.intensity;
+    std::copy_n(light.value.data(), 3, value);
+    if (light.type == BDPT_LIGHT_SPOT) {
+      desc.cone_angle = light.cone_angle;
+      desc.cone_falloff = light.cone_falloff;
+    }
+    desc.angular_radius = light.angular_radius;
+    if (light.texture >= 0) desc.texture = once(textures_, description_.textures, light.texture);
+    if (light.type == BDPT_LIGHT_ENVIRONMENT) std::copy_n(light.transform.data(), 12, desc.transform);
+    auto photometry = sized<bdpt_photometry>();
+    if (light.luminaire) {
+      photometry.vertical_count = static_cast<std::uint32_t>(light.luminaire->vertical_angles.size());
+      photometry.horizontal_count = static_cast<std::uint32_t>(light.luminaire->horizontal_angles.size());
+      photometry.vertical_angles = light.luminaire->vertical_angles.data();
+      photometry.horizontal_angles = light.luminaire->horizontal_angles.data();
+      photometry.intensities = light.luminaire->candela.data();
+      desc.photometry = &photometry;
+    }
     bdpt_light_id id{};
     check(bdpt_light_add(builder_.get(), &desc, &id), light.where);
   }
@@ -223,9 +321,11 @@ class Uploader {
   Notes notes_;
   Builder builder_;
   std::vector<MaterialDescription> lowered_;
+  std::vector<MediumDescription> described_media_;
   std::vector<std::optional<bdpt_shape_id>> shapes_;
   std::vector<std::optional<bdpt_texture_id>> textures_;
   std::vector<std::optional<bdpt_material_id>> materials_;
+  std::vector<std::optional<bdpt_medium_id>> media_;
 };
 
 }  // namespace

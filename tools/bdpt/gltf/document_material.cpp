@@ -143,7 +143,7 @@ void make_unlit(MaterialDescription& to) {
 MaterialDescription read_material(const tinygltf::Material& from) {
   const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
   MaterialDescription to;
-  to.type = kMaterialPrincipled;
+  to.type = BDPT_MATERIAL_PRINCIPLED;
   to.label = from.name;
   for (std::size_t c = 0; c < 3; ++c) to.reflectance[c] = static_cast<float>(pbr.baseColorFactor[c]);
   to.reflectance_texture = use_of(pbr.baseColorTexture);

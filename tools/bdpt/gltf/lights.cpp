@@ -41,7 +41,7 @@ LightDescription placed_light(const Light& from, const Transform& to_world, cons
     set_cone(from, where, place, light);
     notes.add("the edge of a spot falls off smoothly at both its ends", place);
   } else if (from.type == "directional") {
-    light.type = kLightDirectional;
+    light.type = BDPT_LIGHT_DIRECTIONAL;
     light.direction = axis(to_world, where, place);
   } else if (from.type != "point") {
     throw Error(where, place + " is of the unknown type '" + from.type + "'");

@@ -7,7 +7,7 @@ namespace {
 // A material that none names: a rough metal.
 MaterialDescription default_material() {
   MaterialDescription material;
-  material.type = kMaterialPrincipled;
+  material.type = BDPT_MATERIAL_PRINCIPLED;
   material.reflectance = {1, 1, 1};
   material.principled.metallic.factor = 1;
   material.one_sided = true;

@@ -51,14 +51,34 @@ Rgb color_of(const Line& line) {
 
 bool is_black(const Rgb& color) { return color == Rgb{0, 0, 0}; }
 
+// The gloss reflects Ks at normal incidence: an index that reflects its largest channel, and what is left for the
+// others.
+void set_gloss(const Rgb& specular, MaterialDescription& to) {
+  constexpr float kMaxReflected = 0.66f;  // by the library's largest index
+  const float largest = std::max({specular[0], specular[1], specular[2]});
+  if (!(largest > 0)) return;
+  const float root = std::sqrt(std::min(largest, kMaxReflected));
+  to.ior = (1 + root) / (1 - root);
+  for (std::size_t c = 0; c < 3; ++c) to.principled.specular_color.factor[c] = specular[c] / largest;
+}
+
+// Glass that colours what passes by Tf.
+void make_filter(const Rgb& filter, MaterialDescription& to) {
+  to.type = BDPT_MATERIAL_PRINCIPLED;
+  to.reflectance = filter;
+  to.reflectance_texture = {};
+  to.principled.transmission.factor = 1;
+  to.principled.thickness.factor = 1;
+  to.principled.roughness.factor = 0;
+}
+
 }  // namespace
 
 struct MaterialLibrary::Entry {
   MaterialDescription material;
-  Rgb diffuse = {0.8f, 0.8f, 0.8f}, specular = {};
+  Rgb diffuse = {0.8f, 0.8f, 0.8f}, specular = {}, filter = {1, 1, 1};
   float exponent = 0;
   int illumination = 2;
-  bool has_filter = false;
 };
 
 void MaterialLibrary::read(const std::string& path, const Location& from) {
@@ -102,8 +122,7 @@ void MaterialLibrary::set(const Line& line, Entry& entry) {
   } else if (keyword == "ke") {
     material.emission = color_of(line);
   } else if (keyword == "tf") {
-    material.principled.attenuation_color = color_of(line);
-    entry.has_filter = material.principled.attenuation_color != Rgb{1, 1, 1};
+    entry.filter = color_of(line);
   } else if (keyword == "ns") {
     entry.exponent = numbers(line, 1)[0];
   } else if (keyword == "ni") {
@@ -160,14 +179,14 @@ void MaterialLibrary::finish(Entry& entry) {
   } else if (illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9) {
     to.type = BDPT_MATERIAL_DIELECTRIC;
     if (!(to.ior >= 1)) to.ior = 1.5f;
-    if (entry.has_filter) notes_.add("the filter Tf of glass is left out", to.label);
+    if (entry.filter != Rgb{1, 1, 1}) make_filter(entry.filter, to);
     to.alpha.factor = 1;  // what they let through is said by the glass
   } else {
     // Phong's exponent n and Blinn's: alpha of a microfacet lobe of the same width is sqrt(2 / (n + 2)).
-    to.type = kMaterialPrincipled;
+    to.type = BDPT_MATERIAL_PRINCIPLED;
     to.reflectance = to.reflectance_texture.texture >= 0 && is_black(entry.diffuse) ? Rgb{1, 1, 1} : entry.diffuse;
     to.principled.roughness.factor = std::pow(2 / (std::max(entry.exponent, 0.0f) + 2), 0.25f);
-    to.principled.specular_color.factor = entry.specular;
+    set_gloss(entry.specular, to);
     if (is_black(entry.specular) || illumination < 2) to.type = BDPT_MATERIAL_DIFFUSE;
   }
   for (float& x : to.reflectance) {

@@ -116,6 +116,8 @@ void Directives::camera(Lexer& lexer, const Location& where) {
   const ParamList params = expect_params(lexer, where, "Camera", type);
   read_camera(type, params, state_.transform, folder_, scene_, diagnostics_);
   coordinate_systems_["camera"] = state_.transform.inverse();
+  camera_medium_ = state_.exterior;
+  camera_where_ = where;
   has_camera_ = true;
 }
 
@@ -167,13 +169,18 @@ void Directives::color_space(Lexer& lexer, const Location& where) {
 }
 
 void Directives::medium_interface(Lexer& lexer, const Location& where) {
-  std::string name = expect_string(lexer, where, "MediumInterface: a name");
-  if (const auto token = lexer.peek(); token && token->kind == Token::Kind::kString) name += lexer.next()->string();
-  if (!name.empty()) throw Error(where, "participating media are not known; remove MediumInterface");
+  state_.interior = state_.exterior = expect_string(lexer, where, "MediumInterface: a name");
+  const auto token = lexer.peek();
+  if (token && token->kind == Token::Kind::kString) state_.exterior = lexer.next()->string();
 }
 
-void Directives::make_named_medium(Lexer&, const Location& where) {
-  throw Error(where, "participating media are not known; remove MakeNamedMedium and what uses it");
+void Directives::make_named_medium(Lexer& lexer, const Location& where) {
+  std::string name;
+  const ParamList params = expect_params(lexer, where, "MakeNamedMedium", name);
+  if (!named_media_.emplace(name, static_cast<int>(scene_.media.size())).second) {
+    throw Error(where, "the medium '" + name + "' is defined twice; rename one");
+  }
+  scene_.media.push_back(convert_medium(name, params, diagnostics_));
 }
 
 void Directives::attribute(Lexer&, const Location& where) {

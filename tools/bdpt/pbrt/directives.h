@@ -13,6 +13,7 @@
 #include "pbrt/lexer.h"
 #include "pbrt/lights.h"
 #include "pbrt/materials.h"
+#include "pbrt/media.h"
 #include "pbrt/shapes.h"
 #include "pbrt/textures.h"
 #include "scene_description.h"
@@ -47,6 +48,7 @@ class Directives {
     std::shared_ptr<MaterialEntry> material;
     std::optional<AreaLight> area_light;
     bool reverse_orientation = false;
+    std::string interior, exterior;  // media by name
   };
   struct PlacedShape {
     int shape = 0;
@@ -116,6 +118,7 @@ class Directives {
   FloatValue alpha_of(const ParamList& params);
   int place_material(const PlacedShape& placed);
   void place(const PlacedShape& placed);
+  int medium_named(const std::string& name, const Location& user) const;
 
   SceneDescription& scene_;
   Diagnostics& diagnostics_;
@@ -128,11 +131,14 @@ class Directives {
   bool has_camera_ = false;
   std::map<std::string, Transform> coordinate_systems_;
   std::map<std::string, std::shared_ptr<MaterialEntry>> named_materials_;
+  std::map<std::string, int> named_media_;
+  std::string camera_medium_;
+  Location camera_where_;
   std::map<std::string, std::vector<PlacedShape>> objects_;
   std::string open_object_;
   std::vector<PlacedShape> placed_;
-  // Turned over, emits on both sides, emission; factor and texture of alpha.
-  using MaterialKey = std::tuple<const MaterialEntry*, bool, bool, Rgb, float, int, std::array<float, 6>>;
+  // Turned over, emits on both sides, emission and its texture; what is inside; factor and texture of alpha.
+  using MaterialKey = std::tuple<const MaterialEntry*, bool, bool, Rgb, int, int, float, int, std::array<float, 6>>;
   std::map<MaterialKey, int> placed_materials_;
 };
 

@@ -135,7 +135,7 @@ void Directives::area_light_source(Lexer& lexer, const Location& where) {
   require_world(where, "AreaLightSource");
   std::string type;
   const ParamList params = expect_params(lexer, where, "AreaLightSource", type);
-  state_.area_light = convert_area_light(type, params, diagnostics_);
+  state_.area_light = convert_area_light(type, params, folder_, scene_, diagnostics_);
 }
 
 void Directives::light_source(Lexer& lexer, const Location& where) {
@@ -194,7 +194,7 @@ MaterialDescription Directives::mixed(MaterialEntry& entry, const Location& user
   const ParamList& params = entry.params;
   if (depth > kMaxDepth) params.fail("materials are mixed of each other more than 16 deep");
   MaterialDescription mix;
-  mix.type = kMaterialMix;
+  mix.type = BDPT_MATERIAL_MIX;
   mix.where = params.where();
   const Param* names = params.find("materials");
   if (!names || names->type != "string" || names->strings.size() != 2) {
@@ -216,6 +216,15 @@ MaterialDescription Directives::mixed(MaterialEntry& entry, const Location& user
   return mix;
 }
 
+int Directives::medium_named(const std::string& name, const Location& user) const {
+  if (name.empty()) return -1;
+  const auto found = named_media_.find(name);
+  if (found == named_media_.end()) {
+    throw Error(user, "there is no medium '" + name + "'; define it with MakeNamedMedium");
+  }
+  return found->second;
+}
+
 // One material for each pair of a material of the file and an emission. Turning a sphere over, which the library
 // cannot, comes to the inverse index for glass and to nothing for what does not emit.
 int Directives::place_material(const PlacedShape& placed) {
@@ -227,6 +236,7 @@ int Directives::place_material(const PlacedShape& placed) {
   }
   if (const auto& light = placed.state.area_light) {
     material.emission = light->radiance;
+    material.emission_texture.texture = light->texture;
     material.emission_two_sided = light->two_sided;
   }
   const bool sphere = std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry);
@@ -238,7 +248,10 @@ int Directives::place_material(const PlacedShape& placed) {
   if (sphere && material.reflectance_texture.texture >= 0) {
     diagnostics_.warn(placed.where, "the texture may lie differently on a sphere than in pbrt");
   }
-  const MaterialKey key(&entry, turned, material.emission_two_sided, material.emission, placed.alpha.factor,
+  if (material.type == BDPT_MATERIAL_DIELECTRIC || material.type == BDPT_MATERIAL_INTERFACE)
+    material.interior = medium_named(placed.state.interior, placed.where);
+  const MaterialKey key(&entry, turned, material.emission_two_sided, material.emission,
+                        material.emission_texture.texture, material.interior, placed.alpha.factor,
                         placed.alpha.texture.texture, placed.alpha.texture.transform);
   const auto [found, added] = placed_materials_.emplace(key, static_cast<int>(scene_.materials.size()));
   if (added) scene_.materials.push_back(std::move(material));
@@ -266,6 +279,7 @@ void Directives::finish(const Location& end) {
   }
   if (!in_world_) throw Error(end, "there is no WorldBegin; this is no complete pbrt-v4 scene");
   if (!has_camera_) diagnostics_.warn(end, "there is no Camera; one at the origin that looks along +z is used");
+  scene_.medium = medium_named(camera_medium_, camera_where_);
   scene_.instances.reserve(placed_.size());
   for (const PlacedShape& placed : placed_) place(placed);
   if (scene_.instances.empty() && scene_.lights.empty()) throw Error(end, "the scene is empty; it needs a Shape");

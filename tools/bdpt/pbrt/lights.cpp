@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pbrt/environment.h"
+#include "pbrt/light_pictures.h"
 
 namespace bdpt_tool {
 namespace {
@@ -35,26 +36,87 @@ Rgb direction(const ParamList& params, const Transform& to_world) {
   return to_rgb(normalized(to_world.vector(normalized(axis))));
 }
 
-// Squares are Clarberg's map of equal areas, as pbrt-v4 has it; others have rows of latitude, as had pbrt-v3.
-void picture(const ParamList& params, const Transform& to_world, const SceneFolder& folder, SceneDescription& scene,
-             LightDescription& light) {
-  if (params.has("L")) params.fail("\"filename\" and \"L\" exclude each other; scale the picture by \"float scale\"");
+// The picture that a light names, linear.
+Image read_picture(const ParamList& params, const SceneFolder& folder) {
   const Param& file = *params.find("filename");
-  const std::string path = folder.path_of(params.get_string("filename", ""), file.where);
-  const Image image = to_linear(read_image(path, file.where));
+  const Image image = to_linear(read_image(folder.path_of(params.get_string("filename", ""), file.where), file.where));
   for (const float x : image.pixels) {
     if (!(x >= 0 && std::isfinite(x))) params.fail(file, "has a texel that is negative or not finite");
   }
-  if (!to_world.is_invertible()) params.fail("the transform before it is singular");
-  const PlacedPicture placed = place_picture(image, to_world);
-  light.texture = static_cast<int>(scene.textures.size());
-  light.transform = placed.to_world;
-  scene.textures.push_back({.label = std::filesystem::path(path).filename().string(),
-                            .where = file.where,
-                            .image = placed.image,
-                            .exponent = 1,
-                            .wrap = {Wrap::kRepeat, Wrap::kClamp},
+  return image;
+}
+
+// Of what shines by its picture alone.
+Rgb picture_scale(const ParamList& params, const char* value) {
+  if (params.has(value))
+    params.fail("\"filename\" and \"" + std::string(value) +
+                "\" exclude each other; scale the picture by \"float scale\"");
+  return emission(params, value);
+}
+
+int add_picture(const ParamList& params, Image image, std::array<Wrap, 2> wrap, SceneDescription& scene) {
+  scene.textures.push_back({.label = std::filesystem::path(params.get_string("filename", "")).filename().string(),
+                            .where = params.find("filename")->where,
+                            .image = std::move(image),
+                            .exponent = 0,
+                            .wrap = wrap,
                             .nearest = false});
+  return static_cast<int>(scene.textures.size()) - 1;
+}
+
+// Squares are Clarberg's map of equal areas, as pbrt-v4 has it; others have rows of latitude, as had pbrt-v3.
+void picture(const ParamList& params, const Transform& to_world, const SceneFolder& folder, SceneDescription& scene,
+             LightDescription& light) {
+  light.value = picture_scale(params, "L");
+  const Image image = read_picture(params, folder);
+  if (!to_world.is_invertible()) params.fail("the transform before it is singular");
+  PlacedPicture placed = place_picture(image, to_world);
+  light.transform = placed.to_world;
+  light.texture = add_picture(params, std::move(placed.image), {Wrap::kRepeat, Wrap::kClamp}, scene);
+}
+
+// A light that stands at the origin of its own space, with an axis and an up there.
+void place_light(const ParamList& params, const Transform& to_world, const Vec3& axis, const Vec3& up,
+                 LightDescription& light) {
+  if (!to_world.is_invertible()) params.fail("the transform before it is singular");
+  light.position = to_rgb(to_world.point({0, 0, 0}));
+  light.direction = to_rgb(normalized(to_world.vector(axis)));
+  light.up = to_rgb(normalized(to_world.vector(up)));
+}
+
+void projection(const ParamList& params, const Transform& to_world, const SceneFolder& folder, SceneDescription& scene,
+                LightDescription& light) {
+  light.type = BDPT_LIGHT_SPOT;
+  if (!params.has("filename")) params.fail("\"string filename\" is missing");
+  light.value = picture_scale(params, "I");
+  place_light(params, to_world, {0, 0, 1}, {0, 1, 0}, light);
+  ThrownPicture thrown = throw_picture(read_picture(params, folder), params.get_float("fov", 90), to_world);
+  if (!(thrown.cone_angle > 0 && thrown.cone_angle <= 85))
+    params.fail("fov must be above 0, and its picture's corners at most 85 degrees from the axis");
+  light.cone_angle = thrown.cone_angle;
+  light.cone_falloff = 0;
+  light.texture = add_picture(params, std::move(thrown.image), {Wrap::kClamp, Wrap::kClamp}, scene);
+}
+
+// By a square picture of all directions, or by an IES file, whose lamps look down.
+void goniometric(const ParamList& params, const Transform& to_world, const SceneFolder& folder,
+                 LightDescription& light) {
+  light.type = BDPT_LIGHT_POINT;
+  light.value = emission(params, "I");
+  const std::string file = params.get_string("filename", "");
+  if (file.empty()) {
+    light.position = to_rgb(to_world.point({0, 0, 0}));
+    return;
+  }
+  if (std::filesystem::path(file).extension() == ".ies") {
+    place_light(params, to_world, {0, -1, 0}, {0, 0, 1}, light);
+    light.luminaire = read_ies(folder.path_of(file, params.find("filename")->where));
+    return;
+  }
+  place_light(params, to_world, {0, 1, 0}, {1, 0, 0}, light);
+  const Image image = read_picture(params, folder);
+  if (image.width != image.height) params.fail(*params.find("filename"), "must be a square picture, of equal areas");
+  light.luminaire = luminaire_of(image, to_world);
 }
 
 void spot(const ParamList& params, const Transform& to_world, LightDescription& light) {
@@ -72,12 +134,17 @@ void spot(const ParamList& params, const Transform& to_world, LightDescription& 
 
 }  // namespace
 
-AreaLight convert_area_light(const std::string& type, const ParamList& params, Diagnostics& diagnostics) {
+AreaLight convert_area_light(const std::string& type, const ParamList& params, const SceneFolder& folder,
+                             SceneDescription& scene, Diagnostics& diagnostics) {
   if (type != "diffuse") params.fail("the area light '" + type + "' is not known; use diffuse");
-  params.refuse("filename", "is not known yet: area lights emit one radiance");
   refuse_photometry(params);
   AreaLight light;
-  light.radiance = emission(params, "L");
+  if (params.has("filename")) {
+    light.radiance = picture_scale(params, "L");
+    light.texture = add_picture(params, read_picture(params, folder), {Wrap::kClamp, Wrap::kClamp}, scene);
+  } else {
+    light.radiance = emission(params, "L");
+  }
   light.two_sided = params.get_bool("twosided", false);
   params.warn_unused(diagnostics);
   return light;
@@ -98,14 +165,22 @@ LightDescription convert_light(const std::string& type, const ParamList& params,
   } else if (type == "infinite") {
     params.refuse("portal", "is not known yet; remove it");
     light.type = BDPT_LIGHT_ENVIRONMENT;
-    light.value = emission(params, "L");
-    if (params.has("filename")) picture(params, to_world, folder, scene, light);
+    if (params.has("filename")) {
+      picture(params, to_world, folder, scene, light);
+    } else {
+      light.value = emission(params, "L");
+    }
   } else if (type == "distant") {
-    light.type = kLightDirectional;
+    light.type = BDPT_LIGHT_DIRECTIONAL;
     light.direction = direction(params, to_world);
     light.value = emission(params, "L");
+  } else if (type == "projection") {
+    projection(params, to_world, folder, scene, light);
+  } else if (type == "goniometric") {
+    goniometric(params, to_world, folder, light);
   } else {
-    params.fail("the light '" + type + "' is not known yet; use point, spot, distant, infinite, or an area light");
+    params.fail("the light '" + type +
+                "' is not known; use point, spot, distant, infinite, projection, goniometric, or an area light");
   }
   params.warn_unused(diagnostics);
   return light;

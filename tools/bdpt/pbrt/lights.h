@@ -14,12 +14,13 @@ namespace bdpt_tool {
 
 struct AreaLight {
   Rgb radiance = {};
+  int texture = -1;  // times the radiance
   bool two_sided = false;
 };
 
-AreaLight convert_area_light(const std::string& type, const ParamList& params, Diagnostics& diagnostics);
-
-// The picture of an infinite light becomes a texture of the scene.
+// Pictures of lights become textures of the scene.
+AreaLight convert_area_light(const std::string& type, const ParamList& params, const SceneFolder& folder,
+                             SceneDescription& scene, Diagnostics& diagnostics);
 LightDescription convert_light(const std::string& type, const ParamList& params, const Transform& to_world,
                                const SceneFolder& folder, SceneDescription& scene, Diagnostics& diagnostics);
 

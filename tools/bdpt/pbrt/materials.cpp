@@ -173,19 +173,19 @@ MaterialDescription convert_material(const std::string& type, const ParamList& p
     material.type = kMaterialThinDielectric;
     material.ior = dielectric_index(params, diagnostics);
   } else if (type == "coateddiffuse") {
-    material.type = kMaterialCoatedDiffuse;
+    material.type = BDPT_MATERIAL_COATED_DIFFUSE;
     reflectance(params, 0.5f, textures, material);
     coat(params, textures, diagnostics, "", 0, material.coat);
   } else if (type == "coatedconductor") {
-    material.type = kMaterialCoatedConductor;
+    material.type = BDPT_MATERIAL_COATED_CONDUCTOR;
     conductor(params, material, "conductor.");
     material.roughness = roughness(params, textures, "conductor.");
     coat(params, textures, diagnostics, "interface.", 0, material.coat);
   } else if (type == "diffusetransmission") {
-    material.type = kMaterialDiffuseTransmission;
+    material.type = BDPT_MATERIAL_DIFFUSE_TRANSMISSION;
     diffuse_transmission(params, textures, material);
   } else if (type == "interface" || type == "none" || type.empty()) {
-    material.type = kMaterialInterface;
+    material.type = BDPT_MATERIAL_INTERFACE;
   } else {
     params.fail("the material type '" + type +
                 "' is not known yet; use diffuse, conductor, dielectric, thindielectric, coateddiffuse, "
