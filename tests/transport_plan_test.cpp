@@ -169,7 +169,7 @@ TEST(SubpathOrder, IsByTheMetricAndHoldsEveryVertexThatCanBeJoined) {
   Block block(engine);
   block.run(0, {0, 0, 16, 16});
   size_t joinable = 0, found = 0;
-  for (const Vertex& v : block.light().vertices) joinable += !v.specular;
+  for (const Vertex& v : block.light().vertices) joinable += v.joinable;
   OrderedVertices order;
   order_subpaths(block.light(), scene->info(), Order::Metric, Lengths::Apart, order);
   for (size_t s = 0; s < order.size(); ++s) {

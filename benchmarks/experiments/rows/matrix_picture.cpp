@@ -27,9 +27,17 @@ struct Subpaths {
 
 // A plan that joins nothing and keeps the subpaths of the one block that the whole picture is.
 Subpaths* kept = nullptr;
+// The materials are the scene's: none of them varies over a surface.
+template <class T>
+void copy_subpaths(const T& from, T& to) {
+  to.starts = from.starts;
+  to.streams = from.streams;
+  to.vertices = from.vertices;
+  to.last = from.last;
+}
 void keep(bdpt::Block& block) {
-  kept->eye = block.eye();
-  kept->light = block.light();
+  copy_subpaths(block.eye(), kept->eye);
+  copy_subpaths(block.light(), kept->light);
 }
 bdpt::SampleCounts counts(const bdpt::TransportOptions&, double) { return {}; }
 const bdpt::Plan kKeep = {.name = "keep",
