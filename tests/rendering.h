@@ -231,6 +231,42 @@ inline void expect_all_same(const std::vector<BlockMeans>& means, const std::vec
     for (size_t j = 0; j < i; ++j) expect_same(means[i], means[j], pairs, names[i] + " against " + names[j]);
 }
 
+// A part of the techniques that finds all paths, and how many passes tell.
+struct TechniqueSet {
+  const char* name;
+  std::function<bool(int s, int t)> allows;
+  uint64_t passes;
+  const Plan* plan = nullptr;
+};
+inline std::vector<TechniqueSet> technique_sets(uint64_t passes) {
+  return {{"path", [](int s, int) { return s <= 1; }, passes},
+          {"light", [](int, int t) { return t <= 1; }, 2 * passes},
+          {"bidirectional", [](int, int) { return true; }, passes},
+          {"odd", [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; }, 2 * passes}};
+}
+
+// Each gives the same picture, by paths of five edges at most, and rejects nothing.
+inline void expect_one_picture(const ScenePointer& scene, const SensorPointer& sensor,
+                               const std::vector<TechniqueSet>& sets) {
+  std::vector<BlockMeans> means;
+  std::vector<std::string> names;
+  for (const TechniqueSet& set : sets) {
+    TransportOptions options = options_for(mask_of(set.allows), 5);
+    options.plan = set.plan;
+    means.push_back(block_means(scene, sensor, options, {.passes = set.passes, .first_seed = means.size() + 1}));
+    EXPECT_EQ(means.back().rejected, 0u) << set.name;
+    names.push_back(set.name);
+  }
+  expect_all_same(means, names);
+}
+
+// What GoogleTest takes for the name of a case.
+inline std::string case_name(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+
 inline void expect_value(const Estimate& a, double value, size_t family, const std::string& what,
                          double tolerance = 0) {
   EXPECT_GT(chance(a, value, tolerance), statistics::kSignificance / double(family))

@@ -247,32 +247,11 @@ TEST_P(TransportMedia, AllTechniquesGiveOnePicture) {
   GetParam().add(b);
   const ScenePointer scene = b.build();
   const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
-  struct Way {
-    const char* name;
-    std::function<bool(int, int)> allows;
-    uint64_t passes;
-  };
-  const Way ways[] = {{"path", [](int s, int) { return s <= 1; }, 16},
-                      {"light", [](int, int t) { return t <= 1; }, 32},
-                      {"bidirectional", [](int, int) { return true; }, 16},
-                      {"odd", [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; }, 16}};
-  std::vector<BlockMeans> means;
-  std::vector<std::string> names;
-  for (const Way& w : ways) {
-    means.push_back(block_means(scene, camera, options_for(mask_of(w.allows), 5),
-                                {.passes = w.passes, .first_seed = means.size() + 1}));
-    EXPECT_EQ(means.back().rejected, 0u);
-    names.push_back(w.name);
-  }
-  expect_all_same(means, names);
+  expect_one_picture(scene, camera, technique_sets(16));
 }
 
-INSTANTIATE_TEST_SUITE_P(Items, TransportMedia, testing::ValuesIn(items()), [](const auto& info) {
-  std::string name = info.param.name;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Items, TransportMedia, testing::ValuesIn(items()),
+                         [](const auto& info) { return case_name(info.param.name); });
 
 }  // namespace
 }  // namespace bdpt

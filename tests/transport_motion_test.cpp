@@ -107,26 +107,9 @@ TEST_P(TransportMotion, AllTechniquesGiveOnePicture) {
       scenes::camera_desc(item.lens ? scenes::room_view_through_lens() : scenes::room_view(), kSize, kSize);
   if (item.camera) desc.moves = true, desc.end = times(moved(Vec3(-0.1f, 0.05f, -0.1f), 0.1), desc.transform);
   const SensorPointer camera = make_camera(desc);
-  struct Way {
-    const char* name;
-    std::function<bool(int, int)> allows;
-    uint64_t passes;
-    const char* plan;
-  };
-  const Way ways[] = {{"path", [](int s, int) { return s <= 1; }, 8, nullptr},
-                      {"light", [](int, int t) { return t <= 1; }, 16, nullptr},
-                      {"bidirectional", [](int, int) { return true; }, 8, nullptr},
-                      {"odd", [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; }, 8, nullptr},
-                      {"pooled", [](int, int) { return true; }, 32, "pooled"}};
-  std::vector<BlockMeans> means;
-  std::vector<std::string> names;
-  for (const Way& w : ways) {
-    TransportOptions options = options_for(mask_of(w.allows), 5);
-    if (w.plan) options.plan = find_plan(w.plan);
-    means.push_back(block_means(scene, camera, options, {.passes = w.passes, .first_seed = means.size() + 1}));
-    names.push_back(w.name);
-  }
-  expect_all_same(means, names);
+  std::vector<TechniqueSet> sets = technique_sets(8);
+  sets.push_back({"pooled", [](int, int) { return true; }, 32, find_plan("pooled")});
+  expect_one_picture(scene, camera, sets);
 }
 
 INSTANTIATE_TEST_SUITE_P(Items, TransportMotion,

@@ -187,32 +187,13 @@ TEST_P(TransportSurface, AllTechniquesGiveOnePicture) {
   const Item& item = GetParam();
   const ScenePointer scene = build(item);
   const SensorPointer camera = scenes::camera(scenes::room_view(), kSize, kSize);
-  struct Way {
-    const char* name;
-    std::function<bool(int, int)> allows;
-    uint64_t passes;
-  };
-  const Way ways[] = {{"path", [](int s, int) { return s <= 1; }, 8},
-                      {"light", [](int, int t) { return t <= 1; }, 16},
-                      {"bidirectional", [](int, int) { return true; }, 8},
-                      {"odd", [](int s, int t) { return s <= 1 || (s + t) % 2 == 1; }, 16}};
-  std::vector<BlockMeans> means;
-  std::vector<std::string> names;
-  for (const Way& w : ways) {
-    if (item.has_specular && w.name == std::string("light")) continue;
-    means.push_back(block_means(scene, camera, options_for(mask_of(w.allows), 5),
-                                {.passes = w.passes, .first_seed = means.size() + 1}));
-    names.push_back(w.name);
-  }
-  expect_all_same(means, names);
+  std::vector<TechniqueSet> sets = technique_sets(8);
+  if (item.has_specular) std::erase_if(sets, [](const TechniqueSet& set) { return set.name == std::string("light"); });
+  expect_one_picture(scene, camera, sets);
 }
 
-INSTANTIATE_TEST_SUITE_P(Items, TransportSurface, testing::ValuesIn(items()), [](const auto& info) {
-  std::string name = info.param.name;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Items, TransportSurface, testing::ValuesIn(items()),
+                         [](const auto& info) { return case_name(info.param.name); });
 
 // A screen that is there with half a chance lets half of the light through: by shadow rays and by paths.
 TEST(Opacity, ABlendLetsItsPartOfLightThrough) {

@@ -10,6 +10,7 @@
 #include "color/close_names.h"
 #include "color/config.h"
 #include "color/standard_spaces.h"
+#include "math/srgb.h"
 
 namespace bdpt {
 namespace {
@@ -46,9 +47,9 @@ struct Conversion {
   }
   void run(float* rgb, size_t count) const {
     if (before) apply(*before, rgb, count);
-    if (from_srgb) std::transform(rgb, rgb + 3 * count, rgb, decode_srgb);
+    if (from_srgb) std::transform(rgb, rgb + 3 * count, rgb, srgb_to_linear);
     if (has_matrix()) multiply(matrix, rgb, count);
-    if (to_srgb) std::transform(rgb, rgb + 3 * count, rgb, encode_srgb);
+    if (to_srgb) std::transform(rgb, rgb + 3 * count, rgb, linear_to_srgb);
     if (after) apply(*after, rgb, count);
   }
 };

@@ -33,7 +33,4 @@ const StandardSpace* find_standard_space(std::string_view name) {
   return nullptr;
 }
 
-float decode_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
-float encode_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
-
 }  // namespace bdpt

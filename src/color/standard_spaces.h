@@ -30,7 +30,4 @@ inline constexpr const char* kAces2065 = "ACES2065-1";
 // In any case of letters; NULL if there is none.
 const StandardSpace* find_standard_space(std::string_view name);
 
-float decode_srgb(float v);
-float encode_srgb(float v);
-
 }  // namespace bdpt

@@ -140,6 +140,7 @@ struct RayScene::Implementation {
   RTCScene scene = nullptr;
   std::vector<RTCScene> instanced;          // one for each mesh that several instances share
   std::vector<const OpacityTest*> opacity;  // by instance; empty where all are there everywhere
+  bool numbers_rays = false;                // something is there in part
   const std::function<bool(double)>* progress = nullptr;
   bool cancelled = false;
 
@@ -268,7 +269,10 @@ RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<Ra
   i.progress = &progress;
   i.scene = i.new_scene();
   if (std::any_of(geometries.begin(), geometries.end(), [](const RayGeometry& g) { return g.opacity; }))
-    for (const RayGeometry& g : geometries) i.opacity.push_back(g.opacity);
+    for (const RayGeometry& g : geometries) {
+      i.opacity.push_back(g.opacity);
+      i.numbers_rays = i.numbers_rays || (g.opacity && g.opacity->opacity.mode == Opacity::Mode::Blend);
+    }
   std::unordered_set<const Mesh*> asked;
   for (const RayGeometry& g : geometries)
     if (g.opacity) asked.insert(g.mesh);
@@ -310,7 +314,7 @@ void RayScene::intersect(const Ray* rays, Hit* hits, size_t count) const {
   for (size_t first = 0; first < count; first += 16) {
     const size_t lanes = std::min<size_t>(16, count - first);
     set_valid(valid, lanes);
-    load(packet.ray, rays + first, lanes, !implementation_->opacity.empty());
+    load(packet.ray, rays + first, lanes, implementation_->numbers_rays);
     for (size_t k = 0; k < 16; ++k) packet.hit.geomID[k] = packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
     intersect16(valid, implementation_->scene, &packet);
     for (size_t k = 0; k < lanes; ++k) {
@@ -332,7 +336,7 @@ void RayScene::occluded(const Ray* rays, uint8_t* blocked, size_t count) const {
   for (size_t first = 0; first < count; first += 16) {
     const size_t lanes = std::min<size_t>(16, count - first);
     set_valid(valid, lanes);
-    load(packet, rays + first, lanes, !implementation_->opacity.empty());
+    load(packet, rays + first, lanes, implementation_->numbers_rays);
     occluded16(valid, implementation_->scene, &packet);
     for (size_t k = 0; k < lanes; ++k) blocked[first + k] = packet.tfar[k] < 0;
   }

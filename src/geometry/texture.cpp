@@ -8,9 +8,6 @@
 
 namespace bdpt {
 
-float srgb_to_linear(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
-float linear_to_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
-
 namespace {
 
 uint32_t half_of(uint32_t side) { return std::max(1u, side / 2); }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "geometry/rgba.h"
+#include "math/srgb.h"
 
 #include <array>
 #include <cstdint>
@@ -72,8 +73,5 @@ class Texture {
   std::vector<std::byte> texels_;
   std::array<float, 256> decode_;
 };
-
-float srgb_to_linear(float v);
-float linear_to_srgb(float v);
 
 }  // namespace bdpt

@@ -27,21 +27,8 @@ float direct_density(const Light&, const LightPoint&, const Vec3&) { return 1; }
 
 }  // namespace
 
-const LightKind kDirectionalLight = {
-    .has_area = false,
-    .infinite = true,
-    .hittable = false,
-    .is_mesh = false,
-    .power = power,
-    .start = start,
-    .place = place,
-    .emitted = emitted,
-    .position_density = position_density,
-    .direction_density = density_on_disk,
-    .direct_density = direct_density,
-    .density_in_triangle = nullptr,
-    .bounds = nullptr,
-};
+const LightKind kDirectionalLight =
+    kind_at_infinity(false, power, start, place, emitted, position_density, direct_density);
 
 std::unique_ptr<LightData> make_directional(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::Directional;

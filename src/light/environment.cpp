@@ -22,21 +22,8 @@ float direct_density(const Light&, const LightPoint&, const Vec3&) { return 0.25
 
 }  // namespace
 
-const LightKind kEnvironmentLight = {
-    .has_area = false,
-    .infinite = true,
-    .hittable = true,
-    .is_mesh = false,
-    .power = power,
-    .start = start,
-    .place = place,
-    .emitted = emitted,
-    .position_density = position_density,
-    .direction_density = density_on_disk,
-    .direct_density = direct_density,
-    .density_in_triangle = nullptr,
-    .bounds = nullptr,
-};
+const LightKind kEnvironmentLight =
+    kind_at_infinity(true, power, start, place, emitted, position_density, direct_density);
 
 std::unique_ptr<LightData> make_environment(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::Environment;

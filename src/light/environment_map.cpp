@@ -91,21 +91,8 @@ float direct_density(const Light& light, const LightPoint& y0, const Vec3&) {
 
 }  // namespace
 
-const LightKind kEnvironmentMapLight = {
-    .has_area = false,
-    .infinite = true,
-    .hittable = true,
-    .is_mesh = false,
-    .power = power,
-    .start = start,
-    .place = place,
-    .emitted = emitted,
-    .position_density = position_density,
-    .direction_density = density_on_disk,
-    .direct_density = direct_density,
-    .density_in_triangle = nullptr,
-    .bounds = nullptr,
-};
+const LightKind kEnvironmentMapLight =
+    kind_at_infinity(true, power, start, place, emitted, position_density, direct_density);
 
 std::unique_ptr<LightData> make_environment_map(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::EnvironmentMap;

@@ -22,4 +22,24 @@ inline float density_on_disk(const Light& light, const LightPoint&, const Vec3&)
 
 inline double area_of_disk(const Light& light) { return double(kPi) * light.radius * light.radius; }
 
+// A kind of infinitely far light.
+constexpr LightKind kind_at_infinity(bool hittable, decltype(LightKind::power) power, decltype(LightKind::start) start,
+                                     decltype(LightKind::place) place, decltype(LightKind::emitted) emitted,
+                                     decltype(LightKind::position_density) position_density,
+                                     decltype(LightKind::direct_density) direct_density) {
+  return {.has_area = false,
+          .infinite = true,
+          .hittable = hittable,
+          .is_mesh = false,
+          .power = power,
+          .start = start,
+          .place = place,
+          .emitted = emitted,
+          .position_density = position_density,
+          .direction_density = density_on_disk,
+          .direct_density = direct_density,
+          .density_in_triangle = nullptr,
+          .bounds = nullptr};
+}
+
 }  // namespace bdpt

@@ -20,21 +20,7 @@ float direction_density(const Light&, const LightPoint&, const Vec3&) { return 0
 
 }  // namespace
 
-const LightKind kPointLight = {
-    .has_area = false,
-    .infinite = false,
-    .hittable = false,
-    .is_mesh = false,
-    .power = power,
-    .start = start,
-    .place = place_at_point,
-    .emitted = emitted,
-    .position_density = position_density_of_point,
-    .direction_density = direction_density,
-    .direct_density = direct_density_of_point,
-    .density_in_triangle = nullptr,
-    .bounds = bounds_of_point,
-};
+const LightKind kPointLight = kind_at_point(power, start, emitted, direction_density, bounds_of_point);
 
 std::unique_ptr<LightData> make_point(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::Point;

@@ -19,4 +19,24 @@ inline Emitter bounds_of_point(const Light& light, uint32_t) {
   return e;
 }
 
+// A kind of light at a point.
+constexpr LightKind kind_at_point(decltype(LightKind::power) power, decltype(LightKind::start) start,
+                                  decltype(LightKind::emitted) emitted,
+                                  decltype(LightKind::direction_density) direction_density,
+                                  decltype(LightKind::bounds) bounds) {
+  return {.has_area = false,
+          .infinite = false,
+          .hittable = false,
+          .is_mesh = false,
+          .power = power,
+          .start = start,
+          .place = place_at_point,
+          .emitted = emitted,
+          .position_density = position_density_of_point,
+          .direction_density = direction_density,
+          .direct_density = direct_density_of_point,
+          .density_in_triangle = nullptr,
+          .bounds = bounds};
+}
+
 }  // namespace bdpt

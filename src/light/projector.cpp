@@ -97,21 +97,7 @@ Emitter bounds(const Light& light, uint32_t) {
 
 }  // namespace
 
-const LightKind kProjectorLight = {
-    .has_area = false,
-    .infinite = false,
-    .hittable = false,
-    .is_mesh = false,
-    .power = power,
-    .start = start,
-    .place = place_at_point,
-    .emitted = emitted,
-    .position_density = position_density_of_point,
-    .direction_density = direction_density,
-    .direct_density = direct_density_of_point,
-    .density_in_triangle = nullptr,
-    .bounds = bounds,
-};
+const LightKind kProjectorLight = kind_at_point(power, start, emitted, direction_density, bounds);
 
 std::unique_ptr<LightData> make_projector(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::Projector;

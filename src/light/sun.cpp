@@ -45,21 +45,7 @@ float direct_density(const Light& light, const LightPoint& y0, const Vec3&) { re
 
 }  // namespace
 
-const LightKind kSunLight = {
-    .has_area = false,
-    .infinite = true,
-    .hittable = true,
-    .is_mesh = false,
-    .power = power,
-    .start = start,
-    .place = place,
-    .emitted = emitted,
-    .position_density = position_density,
-    .direction_density = density_on_disk,
-    .direct_density = direct_density,
-    .density_in_triangle = nullptr,
-    .bounds = nullptr,
-};
+const LightKind kSunLight = kind_at_infinity(true, power, start, place, emitted, position_density, direct_density);
 
 // The disc's irradiance, facing it, is pi sin² of its radius times its radiance.
 std::unique_ptr<LightData> make_sun(const LightDesc& desc, Light& light) {

@@ -10,10 +10,6 @@
 namespace bdpt {
 namespace {
 
-float coat_fresnel(float cosine, float ior) {
-  return fresnel_dielectric(cosine, safe_sqrt(refracted_cosine_squared(cosine, ior)), ior);
-}
-
 struct CoatedMetal {
   float ior;
   BoundaryAlbedo::Eta index;
@@ -40,7 +36,7 @@ struct CoatedMetal {
 
   float reflected(const Vec3& v) const {
     const float cosine = std::min(v.z, 1.0f);
-    if (smooth_coat) return coat_fresnel(cosine, ior);
+    if (smooth_coat) return fresnel_outside(cosine, ior);
     return std::min(BoundaryAlbedo::get().reflected(coat.alpha_u, cosine, index), 1.0f);
   }
   // The metal's reflectance, of light that comes at this angle above the coat.
@@ -74,7 +70,7 @@ BsdfValue value(const CoatedMetal& c, const Vec3& p, const Vec3& n) {
   }
   if (c.smooth_coat) return v;
   const MicrofacetReflection r = reflect_at_microfacets(c.coat, p, n);
-  v.f += Rgb(r.f * coat_fresnel(std::min(r.cos_h, 1.0f), c.ior));
+  v.f += Rgb(r.f * fresnel_outside(std::min(r.cos_h, 1.0f), c.ior));
   v.density += coat_p * r.density;
   v.density_reverse += coat_n * r.density_reverse;
   return v;

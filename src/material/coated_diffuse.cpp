@@ -11,10 +11,6 @@
 namespace bdpt {
 namespace {
 
-float reflectance_of_smooth(float cosine, float ior) {
-  return fresnel_dielectric(cosine, safe_sqrt(refracted_cosine_squared(cosine, ior)), ior);
-}
-
 struct Coated {
   Ggx ggx;
   bool smooth;
@@ -33,7 +29,7 @@ struct Coated {
 
   float reflected(const Vec3& v) const {
     const float cosine = std::min(v.z, 1.0f);
-    if (smooth) return reflectance_of_smooth(cosine, ior);
+    if (smooth) return fresnel_outside(cosine, ior);
     return std::min(BoundaryAlbedo::get().reflected(isotropic_alpha(ggx, v), cosine, eta), 1.0f);
   }
   // Of the coat, where so much is reflected by it.
@@ -54,7 +50,7 @@ BsdfValue value(const Coated& c, float roughness, const Vec3& p, const Vec3& n) 
   v.density_reverse = (1 - coat_n) * rough.density(p.z);
   if (c.smooth) return v;
   const MicrofacetReflection r = reflect_at_microfacets(c.ggx, p, n);
-  v.f += Rgb(r.f * reflectance_of_smooth(std::min(r.cos_h, 1.0f), c.ior));
+  v.f += Rgb(r.f * fresnel_outside(std::min(r.cos_h, 1.0f), c.ior));
   v.density += coat_p * r.density;
   v.density_reverse += coat_n * r.density_reverse;
   return v;

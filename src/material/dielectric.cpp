@@ -85,16 +85,6 @@ BsdfSample sample_rough(const Ggx& ggx, const Vec3& previous, float eta, Transpo
   return s;
 }
 
-// Straight through, as if nothing were there.
-BsdfSample pass(const Vec3& previous) {
-  BsdfSample s;
-  s.next = -previous;
-  s.weight = Rgb(1);
-  s.density = s.density_reverse = std::fabs(previous.z);
-  s.specular = true;
-  return s;
-}
-
 // What is scattered more than once: x of it goes to the other side. For f over the squared index to be symmetric x has
 // to go with the other side's squared index times its mean loss; by how much is set by what a smooth boundary
 // transmits of diffuse light, both sides together.
@@ -179,7 +169,7 @@ BsdfValue evaluate(const Boundary& boundary, const Vec3& previous, const Vec3& n
 
 BsdfSample sample(const Boundary& boundary, const Vec3& previous, TransportMode mode, const float u[3]) {
   if (std::fabs(previous.z) < kMinCosine) return {};
-  if (boundary.is_index_matched()) return pass(previous);
+  if (boundary.is_index_matched()) return pass_straight(previous);
   const float index_p = previous.z < 0 ? boundary.ior : 1, index_n = previous.z < 0 ? 1 : boundary.ior;
   const float eta = index_n / index_p;
   const Ggx& ggx = boundary.ggx;

@@ -22,6 +22,11 @@ inline float refracted_cosine_squared(float cos_i, float eta) {
   return ((eta - 1) * (eta + 1) + cos_i * cos_i) / (eta * eta);
 }
 
+// The same for light that comes from outside of the denser medium: eta >= 1, and none is reflected in all.
+inline float fresnel_outside(float cos_i, float eta) {
+  return fresnel_dielectric(cos_i, safe_sqrt(refracted_cosine_squared(cos_i, eta)), eta);
+}
+
 // Conductor, one channel, with the complex index eta + ik over that of the incident side; cos_i in [0,1].
 // (eta + ik)^2 - sin^2 = (a + ib)^2, after Born and Wolf, Principles of Optics, 14.2.
 inline float fresnel_conductor(float cos_i, float eta, float k) {

@@ -8,12 +8,7 @@ namespace {
 BsdfValue evaluate_interface(const Material&, const Rgb&, const Vec3&, const Vec3&, TransportMode) { return {}; }
 
 BsdfSample sample_interface(const Material&, const Rgb&, const Vec3& previous, TransportMode, const float[3]) {
-  BsdfSample s;
-  s.next = -previous;
-  s.weight = Rgb(1);
-  s.density = s.density_reverse = std::fabs(previous.z);
-  s.specular = true;
-  return s;
+  return pass_straight(previous);
 }
 
 }  // namespace

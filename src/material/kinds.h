@@ -22,6 +22,16 @@ extern const MaterialKind kDiffuseKind, kMirrorKind, kConductorKind, kDielectric
 inline bool always(const Material&) { return true; }
 inline bool never(const Material&) { return false; }
 
+// Straight through, as if nothing were there.
+inline BsdfSample pass_straight(const Vec3& previous) {
+  BsdfSample s;
+  s.next = -previous;
+  s.weight = Rgb(1);
+  s.density = s.density_reverse = std::fabs(previous.z);
+  s.specular = true;
+  return s;
+}
+
 // True where a reflecting kind scatters nothing, seen from that side.
 inline bool is_blind_side(const Material& material, const Vec3& v) { return material.one_sided && v.z < 0; }
 

@@ -55,15 +55,7 @@ class Interiors {
   }
 
   const Medium* medium(const Interior& interior) const { return enclosures_[top(interior)].medium; }
-  float ior(const Interior& interior) const {
-    uint32_t best = 0;
-    for (int i = 3; i >= 0; --i) {
-      const uint16_t n = interior.at(i);
-      if (n != 0 && enclosures_[n].refracts && (best == 0 || enclosures_[n].priority >= enclosures_[best].priority))
-        best = n;
-    }
-    return enclosures_[best].ior;
-  }
+  float ior(const Interior& interior) const { return enclosures_[top(interior, true)].ior; }
   // Whether a surface that encloses `number` is a boundary within `others`, which does not count it.
   bool is_boundary(const Interior& others, uint16_t number) const {
     const uint16_t best = top(others);
@@ -71,11 +63,13 @@ class Interiors {
   }
 
  private:
-  uint16_t top(const Interior& interior) const {
+  // What counts there, or of what refracts.
+  uint16_t top(const Interior& interior, bool refracting = false) const {
     uint16_t best = 0;
     for (int i = 3; i >= 0; --i) {  // of equals the last
       const uint16_t n = interior.at(i);
-      if (n != 0 && (best == 0 || enclosures_[n].priority >= enclosures_[best].priority)) best = n;
+      if (n == 0 || (refracting && !enclosures_[n].refracts)) continue;
+      if (best == 0 || enclosures_[n].priority >= enclosures_[best].priority) best = n;
     }
     return best;
   }

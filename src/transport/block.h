@@ -232,8 +232,7 @@ class Block {
   // What surface it meets first, for outputs of cameras.
   void see_surface(const Walker& walker, const Hit& hit, const Surface& surface);
   Rgb estimate_albedo(const Walker& walker, const Surface& surface);
-  void hit_sensor(const Walker& walker, const Ray& ray, float tmax);
-  void hit_sensor_in_media(const Walker& walker, const Ray& ray, float tmax, const Medium* medium);
+  void hit_sensor(const Walker& walker, const Ray& ray, float tmax, const Medium* medium = nullptr);
   void cross_sensor(const Walker& walker, const Ray& ray, float tmax);
   void land(const Walker& walker, const Hit& hit, const Vertex& y);
   // t = 0 at z_0, with the edge of the light subpath there and its density.

@@ -240,27 +240,16 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
 }
 
 // t = 0: the light subpath passes through the sensor, which is no surface of the scene; it is counted and goes on.
-void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax) {
+// tmax: where it meets something, or scatters in the medium.
+void Block::hit_sensor(const Walker& w, const Ray& ray, float tmax, const Medium* medium) {
   // Not straight from a light without a point: its rays need not cover a lens that lies outside of the scene.
   if (w.infinite) return;
   const uint32_t s = w.count + 1;
   if (!takes(s, 0, w.sample)) return;
   SensorPoint z0;
   if (!engine_.hit_camera(ray, tmax, z0)) return;
-  const float cosine = absdot(z0.normal, w.direction);
-  const float geometry = w.cosine * cosine / length_squared(z0.p - w.origin);
-  const float density = w.projected * geometry;
-  if (density > 0 && std::isfinite(density)) add_arrival(w, z0, geometry, density);
-}
-
-// The same where media count: tmax is where light scatters, at most.
-void Block::hit_sensor_in_media(const Walker& w, const Ray& ray, float tmax, const Medium* medium) {
-  const uint32_t s = w.count + 1;
-  if (w.infinite || !takes(s, 0, w.sample)) return;
-  SensorPoint z0;
-  if (!engine_.hit_camera(ray, tmax, z0)) return;
   Walker at = w;
-  if (!end_passage(at, medium, length(z0.p - ray.origin), false)) return;
+  if (engine_.media && !end_passage(at, medium, length(z0.p - ray.origin), false)) return;
   const float geometry = w.cosine * absdot(z0.normal, w.direction) / length_squared(z0.p - w.origin);
   const float density = w.projected * geometry * at.passage.density_to(false);
   if (density > 0 && std::isfinite(density))

@@ -22,7 +22,7 @@ void Block::travel(const Walker& w, const Ray& ray, const Hit& hit) {
     }
     scattering = medium->sample_distance(u[0], u[1]);
   }
-  if (!w.eye && engine_.hit_sensor) hit_sensor_in_media(w, ray, std::min(end, scattering), medium);
+  if (!w.eye && engine_.hit_sensor) hit_sensor(w, ray, std::min(end, scattering), medium);
 
   Walker on = w;
   if (scattering < end) {
