@@ -109,6 +109,7 @@ struct MaterialDescription {
   Rgb eta = {}, k = {};
   float ior = 1.5f;
   std::array<float, 2> roughness = {};  // GGX's alpha
+  bool single_scattering = false;       // of microfacets: the rest is lost
   CoatDescription coat;
   PrincipledDescription principled;
   int interior = -1;                    // what the surfaces enclose, in SceneDescription::media

@@ -246,6 +246,7 @@ class Uploader {
     std::copy_n(material.k.data(), 3, desc.k);
     desc.ior = material.ior;
     std::copy_n(material.roughness.data(), 2, desc.roughness);
+    desc.single_scattering = material.single_scattering;
     if (material.type == BDPT_MATERIAL_PRINCIPLED) set_principled(material, desc, uses);
     if (material.type == BDPT_MATERIAL_MIX) set_mix(material, desc, uses);
     if (material.type == BDPT_MATERIAL_DIFFUSE_TRANSMISSION)

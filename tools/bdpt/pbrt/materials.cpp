@@ -157,6 +157,7 @@ MaterialDescription convert_material(const std::string& type, const ParamList& p
                                      Diagnostics& diagnostics) {
   MaterialDescription material;
   material.where = params.where();
+  material.single_scattering = true;  // as in pbrt
   surface_maps(params, textures, material);
   if (type == "diffuse") {
     material.type = BDPT_MATERIAL_DIFFUSE;
