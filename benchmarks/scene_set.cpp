@@ -35,12 +35,9 @@ std::vector<SceneFile> find_scenes(const std::string& folder) {
   return found;
 }
 
-LoadedScene load_scene(const SceneFile& file, std::uint32_t width, std::uint32_t threads,
-                       bdpt_tool::Diagnostics& diagnostics, const std::function<void()>& before_build) {
+LoadedScene build_loaded(bdpt_tool::SceneDescription description, std::uint32_t width, std::uint32_t threads,
+                         bdpt_tool::Diagnostics& diagnostics) {
   LoadedScene loaded;
-  loaded.name = file.name;
-  auto description = file.path.empty() ? built_in_scene() : bdpt_tool::read_scene(file.path, diagnostics);
-  if (before_build) before_build();
   loaded.borrowed_bytes = mesh_bytes(description);
   loaded.context = bdpt_tool::make_context(threads, diagnostics);
   loaded.scene_handle = bdpt_tool::build_scene(loaded.context.get(), description);
@@ -52,6 +49,15 @@ LoadedScene load_scene(const SceneFile& file, std::uint32_t width, std::uint32_t
   loaded.scene = loaded.scene_handle->scene;
   loaded.sensor = loaded.sensor_handle->sensor;
   loaded.meter = loaded.context->meter;
+  return loaded;
+}
+
+LoadedScene load_scene(const SceneFile& file, std::uint32_t width, std::uint32_t threads,
+                       bdpt_tool::Diagnostics& diagnostics, const std::function<void()>& before_build) {
+  auto description = file.path.empty() ? built_in_scene() : bdpt_tool::read_scene(file.path, diagnostics);
+  if (before_build) before_build();
+  LoadedScene loaded = build_loaded(std::move(description), width, threads, diagnostics);
+  loaded.name = file.name;
   return loaded;
 }
 

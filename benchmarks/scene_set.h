@@ -13,6 +13,7 @@
 #include "error.h"
 #include "handles.h"
 #include "scene/scene.h"
+#include "scene_description.h"
 #include "sensor/sensor.h"
 
 namespace bdpt_benchmark {
@@ -44,5 +45,7 @@ struct LoadedScene {
 // tells the reader's memory from the library's. diagnostics must outlive the scene.
 LoadedScene load_scene(const SceneFile& file, std::uint32_t width, std::uint32_t threads,
                        bdpt_tool::Diagnostics& diagnostics, const std::function<void()>& before_build = {});
+LoadedScene build_loaded(bdpt_tool::SceneDescription description, std::uint32_t width, std::uint32_t threads,
+                         bdpt_tool::Diagnostics& diagnostics);
 
 }  // namespace bdpt_benchmark

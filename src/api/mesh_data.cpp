@@ -245,10 +245,13 @@ void MeshReader::take_tangents() {
 // Of the values alone: the same for every stride, index format and ownership.
 template <class T>
 uint64_t hash_view(const View<T>& view, uint64_t h) {
+  constexpr size_t kPiece = 1024;
   h = hash_combine(h, view.size());
-  for (size_t i = 0; i < view.size(); ++i) {
-    const T value = view[i];
-    h = hash_bytes(&value, sizeof value, h);
+  T piece[kPiece];
+  for (size_t first = 0; first < view.size(); first += kPiece) {
+    const size_t count = std::min(kPiece, view.size() - first);
+    for (size_t i = 0; i < count; ++i) piece[i] = view[first + i];
+    h = hash_bytes(piece, count * sizeof(T), h);
   }
   return h;
 }

@@ -27,14 +27,16 @@ EnvironmentMap::EnvironmentMap(const Picture& picture, const Transform& to_world
     solid_angle.push_back(2 * kTwoPiExactly / width_ * (edges_[y + 1] - edges_[y]));
     inverse_solid_angle_.push_back(float(1 / solid_angle[y]));
   }
+  const std::vector<float> means = picture_.means();
+  const auto mean = [&](uint32_t x, uint32_t y) { return double(means[size_t(y) * width_ + x]); };
   all_ = TexelTable(width_, height_, [&](uint32_t x, uint32_t y) {
-    const double part = picture_.mean(x, y) * solid_angle[y];
+    const double part = mean(x, y) * solid_angle[y];
     total_ += part;
     return part;
   });
   const double average = total_ / (2 * kTwoPiExactly);
   direct_ = TexelTable(width_, height_, [&](uint32_t x, uint32_t y) {
-    const double m = picture_.mean(x, y);
+    const double m = mean(x, y);
     return std::max(m - average, kLeast * m) * solid_angle[y];
   });
 }

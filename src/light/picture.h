@@ -5,6 +5,7 @@
 #include "math/vec.h"
 
 #include <memory>
+#include <vector>
 
 namespace bdpt {
 
@@ -25,17 +26,30 @@ class Picture {
     return (texel(x0, y0) * (1 - wx) + texel(x0 + 1, y0) * wx) * (1 - wy) +
            (texel(x0, y0 + 1) * (1 - wx) + texel(x0 + 1, y0 + 1) * wx) * wy;
   }
-  // norm() of the mean of at() over a texel: what is linear between middles has 1/8, 6/8 and 1/8 of three. Above 0
-  // wherever something within the texel is.
-  double mean(uint32_t x, uint32_t y) const {
-    constexpr float kPart[] = {0.125f, 0.75f, 0.125f};
-    Rgb sum;
-    for (int j = -1; j <= 1; ++j)
-      for (int i = -1; i <= 1; ++i) sum += texel(int64_t(x) + i, int64_t(y) + j) * (kPart[i + 1] * kPart[j + 1]);
-    return double(norm(sum));
+  // norm() of the mean of at() over each texel, row by row. Above 0 wherever something within the texel is.
+  std::vector<float> means() const {
+    std::vector<float> means;
+    means.reserve(size_t(width()) * height());
+    std::vector<Rgb> above = across(-1), here = across(0);
+    for (uint32_t y = 0; y < height(); ++y) {
+      std::vector<Rgb> below = across(int64_t(y) + 1);
+      for (uint32_t x = 0; x < width(); ++x) means.push_back(norm(mean_of(above[x], here[x], below[x])));
+      above = std::move(here), here = std::move(below);
+    }
+    return means;
   }
 
  private:
+  // Of what is linear between the middles of three texels: over the second of them.
+  static Rgb mean_of(const Rgb& a, const Rgb& b, const Rgb& c) { return (a + c) * 0.125f + b * 0.75f; }
+  // The means of a row along x.
+  std::vector<Rgb> across(int64_t y) const {
+    const int64_t w = width();
+    std::vector<Rgb> row, means;
+    for (int64_t x = -1; x <= w; ++x) row.push_back(texel(x, y));
+    for (int64_t x = 1; x <= w; ++x) means.push_back(mean_of(row[x - 1], row[x], row[x + 1]));
+    return means;
+  }
   Rgb texel(int64_t x, int64_t y) const {
     const int64_t w = width(), h = height();
     x = wraps_ ? (x + w) % w : std::clamp<int64_t>(x, 0, w - 1);

@@ -16,7 +16,10 @@ class Projector : public LightData {
       : picture_(picture), axes_(desc.direction, desc.up), cone_{desc.cos_outer, desc.cos_inner} {
     half_ = std::sqrt(std::max(0.0f, 1 - cone_.cos_outer * cone_.cos_outer)) / cone_.cos_outer;
     texel_ = Vec2(2 * half_ / float(picture_.width()), 2 * half_ / float(picture_.height()));
-    table_ = TexelTable(picture_.width(), picture_.height(), [&](uint32_t x, uint32_t y) { return weight(x, y); });
+    const std::vector<float> means = picture_.means();
+    table_ = TexelTable(picture_.width(), picture_.height(), [&](uint32_t x, uint32_t y) {
+      return weight(x, y, double(means[size_t(y) * picture_.width() + x]));
+    });
   }
 
   const TexelTable& table() const { return table_; }
@@ -50,14 +53,14 @@ class Projector : public LightData {
  private:
   // In texels.
   Vec2 place_of(const Vec3& v) const { return {(v.x / v.z + half_) / texel_.x, (half_ - v.y / v.z) / texel_.y}; }
-  // What goes through a texel, at its most by the falloff.
-  double weight(uint32_t x, uint32_t y) {
+  // What goes through a texel of that mean, at its most by the falloff.
+  double weight(uint32_t x, uint32_t y, double mean) {
     const float left = float(x) * texel_.x - half_, top = half_ - float(y) * texel_.y;
     const auto nearest = [](float low, float high) { return low > 0 ? low : high < 0 ? -high : 0; };
     const float dx = nearest(left, left + texel_.x), dy = nearest(top - texel_.y, top);
     const float falloff = cone_.falloff(1 / std::sqrt(1 + dx * dx + dy * dy));
     const float cx = left + texel_.x / 2, cy = top - texel_.y / 2;
-    const double cosine = 1 / std::sqrt(1 + double(cx) * cx + double(cy) * cy), mean = picture_.mean(x, y);
+    const double cosine = 1 / std::sqrt(1 + double(cx) * cx + double(cy) * cy);
     const double area = double(texel_.x) * texel_.y * cosine * cosine * cosine;
     total_ += mean * area * double(cone_.falloff(float(cosine)));
     if (falloff > 0) brightest_ = std::max(brightest_, mean);

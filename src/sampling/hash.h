@@ -29,11 +29,18 @@ uint64_t hash_values(Values... values) {
 
 inline uint64_t hash_bytes(const void* data, size_t size, uint64_t h = 0x6a09e667f3bcc909ull) {
   const auto* bytes = static_cast<const unsigned char*>(data);
-  for (; size >= 8; size -= 8, bytes += 8) {
-    uint64_t word;
-    std::memcpy(&word, bytes, 8);
-    h = hash_combine(h, word);
+  const auto word = [&](size_t i) {
+    uint64_t w;
+    std::memcpy(&w, bytes + 8 * i, 8);
+    return w;
+  };
+  if (size >= 256) {  // four at a time, which do not wait for one another
+    uint64_t lanes[] = {h, h + 1, h + 2, h + 3};
+    for (; size >= 32; size -= 32, bytes += 32)
+      for (size_t i = 0; i < 4; ++i) lanes[i] = hash_combine(lanes[i], word(i));
+    for (size_t i = 0; i < 4; ++i) h = hash_combine(h, lanes[i]);
   }
+  for (; size >= 8; size -= 8, bytes += 8) h = hash_combine(h, word(0));
   uint64_t tail = 0;
   if (size) std::memcpy(&tail, bytes, size);
   return hash_combine(hash_combine(h, tail), size);

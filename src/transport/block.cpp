@@ -87,7 +87,6 @@ void Block::choose_samples(uint64_t pass, uint64_t passes, const PixelRect& rect
 void Block::start_pixels(uint64_t pass, uint64_t passes, const PixelRect& rect) {
   StageTimer timer(stats_.start);
   choose_samples(pass, passes, rect);
-  const PixelRect& bounds = engine_.bounds;
   strategy_ = &engine_.strategy_at({float(rect.x0), float(rect.y0)});
   // Within the pixel, whatever the rounding: x + u may come out as x + 1.
   const auto within = [](float first, float v) { return std::min(first + v, (first + 1) * 0x1.fffffep-1f); };

@@ -172,8 +172,9 @@ class MeshReader {
     const std::vector<int> slot = slots(element);
     // Four floats more, for the slack the library likes behind the data.
     mesh_.positions.reserve(3 * element.count + 4);
-    if (has_normals_) mesh_.normals.reserve(3 * element.count);
-    if (has_uv_) mesh_.uv.reserve(2 * element.count);
+    if (has_normals_) mesh_.normals.reserve(3 * element.count + 4);
+    if (has_uv_) mesh_.uv.reserve(2 * element.count + 4);
+    if (has_colors_) mesh_.colors.reserve(4 * element.count + 4);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       float value[kSlots] = {};
       value[kSlots - 1] = 1;  // opaque
@@ -218,7 +219,7 @@ class MeshReader {
       if (property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index")) list = &property;
     }
     if (!list) stream_.fail("faces without a list 'vertex_indices'");
-    mesh_.indices.reserve(3 * element.count + 4);
+    mesh_.indices.reserve(3 * expected_triangles(element, *list) + 4);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (const PlyProperty& property : element.properties) {
         if (&property == list) {
@@ -230,6 +231,15 @@ class MeshReader {
         }
       }
     }
+  }
+
+  // What the rest of a binary file holds where nothing else is in it: a face is cut into two triangles less than it has
+  // corners.
+  std::uint64_t expected_triangles(const PlyElement& element, const PlyProperty& list) const {
+    const bool alone = element.properties.size() == 1 && &element == &header_.elements.back();
+    if (!alone || header_.encoding == PlyEncoding::kAscii) return element.count;
+    const std::uint64_t corners = (stream_.remaining() - element.count * size_of(list.count_type)) / size_of(list.type);
+    return std::max(element.count, corners - std::min(corners, 2 * element.count));
   }
 
   void read_face(const PlyProperty& property, std::uint64_t index) {

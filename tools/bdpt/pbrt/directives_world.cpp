@@ -279,6 +279,7 @@ void Directives::finish(const Location& end) {
   }
   if (!in_world_) throw Error(end, "there is no WorldBegin; this is no complete pbrt-v4 scene");
   if (!has_camera_) diagnostics_.warn(end, "there is no Camera; one at the origin that looks along +z is used");
+  shapes_.read_files();
   scene_.medium = medium_named(camera_medium_, camera_where_);
   scene_.instances.reserve(placed_.size());
   for (const PlacedShape& placed : placed_) place(placed);

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
+#include <vector>
+
+#include "parallel.h"
 
 namespace bdpt_tool {
 namespace {
 
-constexpr int kSamples = 4;  // of a texel, each way
+constexpr std::uint32_t kSamples = 4;  // of a texel, each way
 
 // pbrt's z is up. Where x and y are turned round into one another, an image by pbrt's longitude lies mirrored;
 // columns() sees to that.
@@ -21,6 +23,28 @@ Vec3 equirectangular(double u, double v) {
   return {std::sin(longitude) * std::cos(latitude), std::sin(latitude), -std::cos(longitude) * std::cos(latitude)};
 }
 
+struct Longitude {
+  double part;  // of the way from the axis x to the axis y of its quarter, [0,1]
+  double x_sign, y_sign;
+};
+
+Longitude longitude_of(const Vec3& direction) {
+  const double x = std::abs(direction[0]), y = std::abs(direction[1]), greater = std::max(x, y);
+  const double part = greater == 0 ? 0 : std::atan(std::min(x, y) / greater) * 2 / std::numbers::pi;
+  return {x < y ? 1 - part : part, std::copysign(1, direction[0]), std::copysign(1, direction[1])};
+}
+
+std::array<double, 2> square_of(const Longitude& longitude, double z) {
+  const double r = std::sqrt(std::max(0.0, 1 - std::abs(z)));
+  double v = longitude.part * r, u = r - v;
+  if (z < 0) {
+    std::swap(u, v);
+    u = 1 - u;
+    v = 1 - v;
+  }
+  return {(u * longitude.x_sign + 1) / 2, (v * longitude.y_sign + 1) / 2};
+}
+
 const float* texel(const Image& image, const std::array<double, 2>& at) {
   const auto place = [](double x, std::uint32_t size) {
     return static_cast<std::size_t>(std::clamp(x * size, 0.0, size - 1.0));
@@ -28,24 +52,41 @@ const float* texel(const Image& image, const std::array<double, 2>& at) {
   return &image.pixels[3 * (place(at[1], image.height) * image.width + place(at[0], image.width))];
 }
 
+// What samples of an equirectangular picture share: a column of them their longitude, a row their latitude.
+std::vector<Longitude> longitudes(std::uint32_t width, bool mirrored) {
+  std::vector<Longitude> all;
+  for (std::uint32_t i = 0; i < kSamples * width; ++i) {
+    Vec3 d = equirectangular((i + 0.5) / (kSamples * width), 0.5);
+    if (mirrored) d[0] = -d[0];
+    all.push_back(longitude_of(kToPbrt.vector(d)));
+  }
+  return all;
+}
+
+std::vector<double> heights(std::uint32_t height) {
+  std::vector<double> all;
+  for (std::uint32_t i = 0; i < kSamples * height; ++i)
+    all.push_back(std::cos(std::numbers::pi * (i + 0.5) / (kSamples * height)));
+  return all;
+}
+
 // Each texel the mean of the square's texels at its samples.
 Image from_square(const Image& square, bool mirrored) {
   Image image(2 * square.width, square.width);
-  for (std::uint32_t y = 0; y < image.height; ++y) {
+  const std::vector<Longitude> columns = longitudes(image.width, mirrored);
+  const std::vector<double> rows = heights(image.height);
+  parallel_for(image.height, [&](std::size_t y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
       std::array<double, 3> sum = {};
-      for (int i = 0; i < kSamples * kSamples; ++i) {
-        const double u = (x + (i % kSamples + 0.5) / kSamples) / image.width;
-        const double v = (y + (i / kSamples + 0.5) / kSamples) / image.height;
-        Vec3 d = equirectangular(u, v);
-        if (mirrored) d[0] = -d[0];
-        const float* from = texel(square, square_of(kToPbrt.vector(d)));
+      for (std::uint32_t i = 0; i < kSamples * kSamples; ++i) {
+        const Longitude& column = columns[kSamples * x + i % kSamples];
+        const float* from = texel(square, square_of(column, rows[kSamples * y + i / kSamples]));
         for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(from[c]);
       }
-      float* to = &image.pixels[3 * (std::size_t{y} * image.width + x)];
+      float* to = &image.pixels[3 * (y * image.width + x)];
       for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(sum[c] / (kSamples * kSamples));
     }
-  }
+  });
   return image;
 }
 
@@ -64,20 +105,7 @@ Image from_rows(const Image& rows, bool mirrored) {
 
 }  // namespace
 
-std::array<double, 2> square_of(const Vec3& direction) {
-  const double x = std::abs(direction[0]), y = std::abs(direction[1]), z = std::abs(direction[2]);
-  const double r = std::sqrt(std::max(0.0, 1 - z));
-  const double greater = std::max(x, y);
-  double phi = greater == 0 ? 0 : std::atan(std::min(x, y) / greater) * 2 / std::numbers::pi;
-  if (x < y) phi = 1 - phi;
-  double v = phi * r, u = r - v;
-  if (direction[2] < 0) {
-    std::swap(u, v);
-    u = 1 - u;
-    v = 1 - v;
-  }
-  return {(std::copysign(u, direction[0]) + 1) / 2, (std::copysign(v, direction[1]) + 1) / 2};
-}
+std::array<double, 2> square_of(const Vec3& direction) { return square_of(longitude_of(direction), direction[2]); }
 
 Vec3 direction_of(const std::array<double, 2>& square) {
   const double u = 2 * square[0] - 1, v = 2 * square[1] - 1;

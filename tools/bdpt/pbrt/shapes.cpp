@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "parallel.h"
 #include "ply.h"
 
 namespace bdpt_tool {
@@ -39,14 +40,27 @@ TriangleMesh inline_mesh(const ParamList& params, Diagnostics& diagnostics) {
 
 }  // namespace
 
-int ShapeTable::push(std::string label, const Location& where, TriangleMesh mesh, bool turned) {
-  if (turned) turn_over(mesh);
-  if (const std::size_t repaired = repair_zero_normals(mesh)) {
-    diagnostics_.warn(where,
-                      label + ": " + std::to_string(repaired) + " normals of length zero, made from the triangles");
-  }
+int ShapeTable::push(std::string label, const Location& where, TriangleMesh mesh) {
   scene_.shapes.push_back({std::move(label), where, std::move(mesh)});
   return static_cast<int>(scene_.shapes.size()) - 1;
+}
+
+void ShapeTable::repair(ShapeDescription& shape) {
+  if (const std::size_t repaired = repair_zero_normals(std::get<TriangleMesh>(shape.geometry))) {
+    diagnostics_.warn(shape.where, shape.label + ": " + std::to_string(repaired) +
+                                       " normals of length zero, made from the triangles");
+  }
+}
+
+void ShapeTable::read_files() {
+  parallel_for(files_.size(), [&](std::size_t i) {
+    const File& file = files_[i];
+    TriangleMesh mesh = read_ply(file.path, file.from);
+    if (file.turned) turn_over(mesh);
+    scene_.shapes[static_cast<std::size_t>(file.shape)].geometry = std::move(mesh);
+  });
+  for (const File& file : files_) repair(scene_.shapes[static_cast<std::size_t>(file.shape)]);
+  files_.clear();
 }
 
 int ShapeTable::add_sphere(const ParamList& params) {
@@ -63,9 +77,12 @@ int ShapeTable::add_sphere(const ParamList& params) {
 
 int ShapeTable::add_inline_mesh(const ParamList& params, bool turned) {
   const Location& where = params.where();
-  return push(
-      "trianglemesh at " + std::filesystem::path(where.file).filename().string() + ":" + std::to_string(where.line),
-      where, inline_mesh(params, diagnostics_), turned);
+  TriangleMesh mesh = inline_mesh(params, diagnostics_);
+  if (turned) turn_over(mesh);
+  const std::string file = std::filesystem::path(where.file).filename().string();
+  const int shape = push("trianglemesh at " + file + ":" + std::to_string(where.line), where, std::move(mesh));
+  repair(scene_.shapes.back());
+  return shape;
 }
 
 int ShapeTable::add_ply(const ParamList& params, bool turned) {
@@ -77,10 +94,12 @@ int ShapeTable::add_ply(const ParamList& params, bool turned) {
   if (file.ends_with(".gz")) params.fail(*params.find("filename"), "is compressed; unpack it with gunzip");
   const std::string path =
       std::filesystem::path(folder_.path_of(file, params.find("filename")->where)).lexically_normal().string();
-  const std::pair<std::string, bool> key(path, turned);
-  const auto found = files_.find(key);
-  if (found != files_.end()) return found->second;
-  return files_[key] = push(file, params.where(), read_ply(path, params.find("filename")->where), turned);
+  const auto [known, is_new] = shapes_of_files_.try_emplace({path, turned});
+  if (is_new) {
+    known->second = push(file, params.where(), TriangleMesh());
+    files_.push_back({known->second, path, params.find("filename")->where, turned});
+  }
+  return known->second;
 }
 
 int ShapeTable::add(const std::string& type, const ParamList& params, bool turned) {
