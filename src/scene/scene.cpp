@@ -2,18 +2,24 @@
 
 #include "geometry/margin.h"
 #include "light/photometry.h"
+#include "math/box.h"
 #include "sampling/hash.h"
 
 #include <array>
-#include <limits>
+#include <unordered_map>
 
 namespace bdpt {
 
 namespace {
 
-void grow(Vec3& low, Vec3& high, const Vec3& p) {
-  low = Vec3(std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z));
-  high = Vec3(std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z));
+// Of the vertices of a mesh's triangles.
+Box box_of(const Mesh& mesh, const View<Vec3>& positions) {
+  Box box;
+  for (size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const Triangle t = mesh.triangles[k];
+    for (uint32_t v : {t.a, t.b, t.c}) box.grow(positions[v]);
+  }
+  return box;
 }
 
 const TextureUse* emission_use(const MaterialDesc& material) {
@@ -288,8 +294,8 @@ Scene::Instance Scene::Instance::at(float time) const {
 }
 
 void Scene::collect_lights() {
-  constexpr float inf = std::numeric_limits<float>::infinity();
-  Vec3 low(inf), high(-inf);
+  Box box;
+  std::unordered_map<const Mesh*, Box> boxes;  // of meshes that instances share
   std::vector<Lights::AreaLight> areas;
   for (size_t i = 0; i < instances_.size(); ++i) {
     Instance& instance = instances_[i];
@@ -316,17 +322,24 @@ void Scene::collect_lights() {
     if (emits && instance.end)
       fail(ErrorCode::InvalidArgument, "instance \"", desc_.instances[i].label,
            "\" moves, but its material emits light: let it stand still, or give it another material");
-    if (instance.end && instance.sphere) {
-      const Instance there = instance.at(1);
-      grow(low, high, there.center - Vec3(there.radius));
-      grow(low, high, there.center + Vec3(there.radius));
-    } else if (instance.end) {
-      for (size_t k = 0; k < instance.mesh->positions.size(); ++k)
-        grow(low, high, instance.end->point(instance.mesh->positions[k]));
-    }
     if (instance.sphere) {
-      grow(low, high, instance.center - Vec3(instance.radius));
-      grow(low, high, instance.center + Vec3(instance.radius));
+      box.grow(instance.center, instance.radius);
+      if (instance.end) {
+        const Instance there = instance.at(1);
+        box.grow(there.center, there.radius);
+      }
+    } else if (!instance.world_positions.empty()) {
+      box.grow(box_of(*instance.mesh, instance.world_positions));
+    } else {
+      const auto [known, is_new] = boxes.try_emplace(instance.mesh);
+      if (is_new) known->second = box_of(*instance.mesh, instance.mesh->positions);
+      for (const Vec3& corner : known->second.corners()) {
+        box.grow(instance.transform.point(corner));
+        if (instance.end) box.grow(instance.end->point(corner));
+      }
+    }
+    if (!emits) continue;
+    if (instance.sphere) {
       light.is_sphere = true;
       light.center = instance.center;
       light.radius = instance.radius;
@@ -337,12 +350,9 @@ void Scene::collect_lights() {
         const Triangle t = instance.mesh->triangles[k];
         Vec3 corner[3];
         int c = 0;
-        for (uint32_t v : {t.a, t.b, t.c}) {
-          corner[c] = instance.world_positions.empty() ? instance.transform.point(instance.mesh->positions[v])
-                                                       : instance.world_positions[v];
-          grow(low, high, corner[c++]);
-        }
-        if (!emits) continue;
+        for (uint32_t v : {t.a, t.b, t.c})
+          corner[c++] = instance.world_positions.empty() ? instance.transform.point(instance.mesh->positions[v])
+                                                         : instance.world_positions[v];
         Surface surface{};
         const bool valid = triangle_surface(instance, uint32_t(k), 1.0f / 3, 1.0f / 3, surface);
         light.triangles.emplace_back(corner[0], corner[1], corner[2], valid ? surface.ng : Vec3(0), surface.margin);
@@ -354,17 +364,17 @@ void Scene::collect_lights() {
       }
       light.area = float(total);
     }
-    if (emits && light.area > 0) {
+    if (light.area > 0) {
       instance.light = int(areas.size());
       areas.push_back(std::move(light));
     }
   }
   for (const LightDesc& l : desc_.lights)
-    if (l.has_position() && low.x > high.x) grow(low, high, l.position);
-  if (low.x > high.x) low = high = Vec3(0);
-  info_.bounds_min = low;
-  info_.bounds_max = high;
-  lights_.build(areas, desc_.lights, (low + high) * 0.5f, 0.5f * length(high - low));
+    if (l.has_position() && box.empty()) box.grow(l.position);
+  if (box.empty()) box.grow(Vec3(0));
+  info_.bounds_min = box.low;
+  info_.bounds_max = box.high;
+  lights_.build(areas, desc_.lights, (box.low + box.high) * 0.5f, 0.5f * length(box.high - box.low));
 }
 
 bool Scene::triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& s) const {
