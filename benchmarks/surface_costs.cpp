@@ -3,6 +3,7 @@
 //
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -47,29 +48,36 @@ Case material_case(const material_testing::Named& named) {
   return {named.name, room(b, material_testing::reflecting(named.material, kReflectance)), 0, {}};
 }
 
-Texture picture(uint32_t channels) {
-  std::vector<float> texels;
+// As files have them, with 8 bits a channel. Numbers from low to low + 63.
+Texture picture(uint32_t channels, bool srgb, const std::array<int, 3>& low) {
+  TextureImage image;
+  image.width = image.height = kTexels;
+  image.channels = channels;
+  image.format = TexelFormat::Uint8;
+  image.srgb = srgb;
   for (uint32_t y = 0; y < kTexels; ++y)
     for (uint32_t x = 0; x < kTexels; ++x)
       for (uint32_t c = 0; c < channels; ++c)
-        texels.push_back(0.7f + 0.6f * float((x * 7 + y * 13 + c * 5) % 64 - 31.5f) / 64);
-  return scenes::texture(kTexels, kTexels, channels, texels);
+        image.texels.push_back(std::byte(uint32_t(low[c]) + (x * 7 + y * 13 + c * 5) % 64));
+  return Texture(std::move(image));
 }
 
-MaterialDesc plain_principled() {
+MaterialDesc rough_principled(float reflectance) {
   MaterialDesc m;
   m.type = MaterialType::Principled;
   m.alpha_u = m.alpha_v = 0.3f;
-  m.reflectance = Rgb(kReflectance);
+  m.reflectance = Rgb(reflectance);
   return m;
 }
 
 std::shared_ptr<const Scene> textured_room(const MaterialDesc& plain, const std::vector<Slot>& slots) {
   scenes::Builder b;
-  const int colors = b.add_texture(picture(3)), numbers = b.add_texture(picture(1));
+  const int colors = b.add_texture(picture(3, true, {187, 187, 187}));  // kReflectance, about
+  const int numbers = b.add_texture(picture(1, false, {187, 187, 187}));
+  const int normals = b.add_texture(picture(3, false, {96, 96, 192}));
   MaterialDesc m = plain;
   for (Slot slot : slots)
-    m = scenes::textured(m, slot, slot == Slot::Reflectance || slot == Slot::Normal ? colors : numbers);
+    m = scenes::textured(m, slot, slot == Slot::Reflectance ? colors : slot == Slot::Normal ? normals : numbers);
   return room(b, m);
 }
 
@@ -80,17 +88,18 @@ std::vector<Case> cases(const std::string& only) {
     for (const Named& named : list)
       if (named.material.type != MaterialType::Mix && named.name.find(only) != std::string::npos)
         all.push_back(material_case(named));
-  const MaterialDesc white = scenes::diffuse(kReflectance);
+  const MaterialDesc white = scenes::diffuse(1);
   all.push_back({"diffuse, textured", textured_room(white, {Slot::Reflectance}), 0, {}});
   all.push_back(
       {"diffuse, textured with a normal map", textured_room(white, {Slot::Reflectance, Slot::Normal}), 0, {}});
   const int principled = int(all.size());
-  all.push_back({"principled", textured_room(plain_principled(), {}), 0, {}});
-  all.push_back({"principled, textured", textured_room(plain_principled(), {Slot::Reflectance}), principled, {}});
-  all.push_back({"principled, with pictures of colour, roughness, metalness and normals",
-                 textured_room(plain_principled(), {Slot::Reflectance, Slot::Roughness, Slot::Metalness, Slot::Normal}),
-                 principled,
-                 {}});
+  all.push_back({"principled", textured_room(rough_principled(kReflectance), {}), 0, {}});
+  all.push_back({"principled, textured", textured_room(rough_principled(1), {Slot::Reflectance}), principled, {}});
+  all.push_back(
+      {"principled, with pictures of colour, roughness, metalness and normals",
+       textured_room(rough_principled(1), {Slot::Reflectance, Slot::Roughness, Slot::Metalness, Slot::Normal}),
+       principled,
+       {}});
   return all;
 }
 

@@ -49,6 +49,52 @@ void add(Rgba& sum, const Rgba& value, float weight) {
   for (size_t c = 0; c < 4; ++c) sum[c] += value[c] * weight;
 }
 
+template <TexelFormat format>
+float channel(const std::byte* at, uint32_t i) {
+  if constexpr (format == TexelFormat::Float) {
+    float v;
+    std::memcpy(&v, at + 4 * i, 4);
+    return v;
+  } else {
+    uint16_t bits;
+    std::memcpy(&bits, at + 2 * i, 2);
+    return format == TexelFormat::Half ? imath_half_to_float(bits) : float(bits) / 65535;
+  }
+}
+
+// bytes_as: what a byte of colour stands for.
+template <TexelFormat format, uint32_t channels>
+Rgba decode(const std::byte* at, [[maybe_unused]] const float* bytes_as) {
+  constexpr bool has_alpha = channels % 2 == 0;
+  constexpr uint32_t g = channels > 2 ? 1 : 0, b = channels > 2 ? 2 : 0, a = channels - 1;
+  if constexpr (format == TexelFormat::Uint8)
+    return {bytes_as[uint8_t(at[0])], bytes_as[uint8_t(at[g])], bytes_as[uint8_t(at[b])],
+            has_alpha ? float(uint8_t(at[a])) / 255 : 1};
+  else
+    return {channel<format>(at, 0), channel<format>(at, g), channel<format>(at, b),
+            has_alpha ? channel<format>(at, a) : 1};
+}
+
+template <TexelFormat format>
+TexelDecoder decoder_of(uint32_t channels) {
+  constexpr TexelDecoder kDecoders[] = {decode<format, 1>, decode<format, 2>, decode<format, 3>, decode<format, 4>};
+  return kDecoders[channels - 1];
+}
+
+TexelDecoder decoder_of(TexelFormat format, uint32_t channels) {
+  switch (format) {
+    case TexelFormat::Uint8:
+      return decoder_of<TexelFormat::Uint8>(channels);
+    case TexelFormat::Uint16:
+      return decoder_of<TexelFormat::Uint16>(channels);
+    case TexelFormat::Half:
+      return decoder_of<TexelFormat::Half>(channels);
+    case TexelFormat::Float:
+      break;
+  }
+  return decoder_of<TexelFormat::Float>(channels);
+}
+
 Rgba mix(const Rgba& a, const Rgba& b, float t) {
   Rgba r;
   for (size_t c = 0; c < 4; ++c) r[c] = a[c] + (b[c] - a[c]) * t;
@@ -62,8 +108,10 @@ Texture::Texture(TextureImage image, uint32_t levels)
       channels_(image.channels),
       format_(image.format),
       srgb_(image.srgb),
+      texel_bytes_(channels_ * bytes_of(format_)),
+      decode_(decoder_of(format_, channels_)),
       texels_(std::move(image.texels)) {
-  for (int i = 0; i < 256; ++i) decode_[size_t(i)] = srgb_ ? srgb_to_linear(float(i) / 255) : float(i) / 255;
+  for (int i = 0; i < 256; ++i) bytes_as_[size_t(i)] = srgb_ ? srgb_to_linear(float(i) / 255) : float(i) / 255;
   levels_.push_back({image.width, image.height, 0});
   const uint32_t count = level_count(image.width, image.height, levels);
   texels_.resize(memory(image.width, image.height, channels_, format_, count));
@@ -83,7 +131,7 @@ uint64_t Texture::memory(uint32_t width, uint32_t height, uint32_t channels, Tex
 void Texture::reduce(uint32_t level) {
   const Level from = levels_[level];
   const Level to{half_of(from.width), half_of(from.height),
-                 from.first + size_t(from.width) * from.height * channels_ * bytes_of(format_)};
+                 from.first + size_t(from.width) * from.height * texel_bytes_};
   levels_.push_back(to);
   for (uint32_t y = 0; y < to.height; ++y)
     for (uint32_t x = 0; x < to.width; ++x) {
@@ -100,40 +148,12 @@ void Texture::reduce(uint32_t level) {
 
 Rgba Texture::texel(uint32_t x, uint32_t y, uint32_t level) const {
   const Level& l = levels_[level];
-  const std::byte* at = &texels_[l.first + (size_t(y) * l.width + x) * channels_ * bytes_of(format_)];
-  const bool has_alpha = channels_ == 2 || channels_ == 4;
-  const uint32_t colors = channels_ - has_alpha;
-  float v[4];
-  switch (format_) {
-    case TexelFormat::Uint8:
-      for (uint32_t c = 0; c < colors; ++c) v[c] = decode_[uint8_t(at[c])];
-      if (has_alpha) v[colors] = float(uint8_t(at[colors])) / 255;
-      break;
-    case TexelFormat::Uint16:
-      for (uint32_t c = 0; c < channels_; ++c) {
-        uint16_t bits;
-        std::memcpy(&bits, at + 2 * c, 2);
-        v[c] = float(bits) / 65535;
-      }
-      break;
-    case TexelFormat::Half:
-      for (uint32_t c = 0; c < channels_; ++c) {
-        uint16_t bits;
-        std::memcpy(&bits, at + 2 * c, 2);
-        v[c] = imath_half_to_float(bits);
-      }
-      break;
-    case TexelFormat::Float:
-      std::memcpy(v, at, 4 * channels_);
-      break;
-  }
-  const float alpha = has_alpha ? v[colors] : 1;
-  return colors == 1 ? Rgba{v[0], v[0], v[0], alpha} : Rgba{v[0], v[1], v[2], alpha};
+  return decode_(&texels_[l.first + (size_t(y) * l.width + x) * texel_bytes_], bytes_as_.data());
 }
 
 void Texture::set_texel(uint32_t x, uint32_t y, uint32_t level, const Rgba& value) {
   const Level& l = levels_[level];
-  std::byte* at = &texels_[l.first + (size_t(y) * l.width + x) * channels_ * bytes_of(format_)];
+  std::byte* at = &texels_[l.first + (size_t(y) * l.width + x) * texel_bytes_];
   const bool has_alpha = channels_ == 2 || channels_ == 4;
   for (uint32_t c = 0; c < channels_; ++c) {
     const bool is_alpha = has_alpha && c + 1 == channels_;

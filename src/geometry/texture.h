@@ -38,6 +38,8 @@ struct TextureImage {
   std::vector<std::byte> texels;  // packed; row 0 is v = 1
 };
 
+using TexelDecoder = Rgba (*)(const std::byte* texel, const float* bytes_as);
+
 class Texture {
  public:
   // levels: at most so many mip levels, the image being one; each halves the one before, by its mean.
@@ -69,9 +71,11 @@ class Texture {
   uint32_t channels_;
   TexelFormat format_;
   bool srgb_;
+  uint32_t texel_bytes_;
+  TexelDecoder decode_;
   std::vector<Level> levels_;
   std::vector<std::byte> texels_;
-  std::array<float, 256> decode_;
+  std::array<float, 256> bytes_as_;
 };
 
 }  // namespace bdpt
