@@ -214,14 +214,15 @@ class Uploader {
 
   // What is left after the distance has the colour. Source: KHR_materials_volume.
   bdpt_medium_id absorption(const MaterialDescription& material) {
-    constexpr float kDarkest = 1e-6f;
+    constexpr float kDarkest = 1e-6f, kMostAbsorbed = 1e9f;  // black within a hair
     const PrincipledDescription& p = material.principled;
     if (!(p.attenuation_distance > 0) || p.attenuation_color == Rgb{1, 1, 1}) return {};
     MediumDescription medium;
     medium.label = material.label;
     medium.where = material.where;
     for (std::size_t c = 0; c < 3; ++c)
-      medium.sigma_a[c] = -std::log(std::max(p.attenuation_color[c], kDarkest)) / p.attenuation_distance;
+      medium.sigma_a[c] =
+          std::min(-std::log(std::max(p.attenuation_color[c], kDarkest)) / p.attenuation_distance, kMostAbsorbed);
     return add(medium);
   }
 
