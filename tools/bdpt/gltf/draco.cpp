@@ -41,8 +41,8 @@ const bool kReadsDraco = true;
 
 namespace {
 
-// A byte holds fewer vertices or triangles even of a flat grid; what promises more is damaged.
-constexpr std::size_t kMostInAByte = 1000;
+// A flat grid has up to twelve triangles to a byte; what promises so much more is damaged.
+constexpr std::size_t kMostInAByte = 100;
 
 struct Counts {
   std::size_t faces = 0, vertices = 0;

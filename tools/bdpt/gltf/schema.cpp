@@ -88,6 +88,7 @@ void check_extensions(const Checker& checker, const Json& document) {
     if (draco) advice = "install libdraco-dev and build this program anew, or write the meshes uncompressed";
     if (name == "EXT_meshopt_compression") advice = "write the buffers uncompressed";
     if (name == "KHR_texture_basisu" || name == "EXT_texture_webp") advice = "write the textures as PNG or JPEG";
+    if (name == "KHR_texture_basisu") advice += ": Debian has no library for KTX2";
     checker.fail("extensionsRequired", "names " + name + ", which is not read here; " + advice);
   }
 }
