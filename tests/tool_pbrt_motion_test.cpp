@@ -57,6 +57,9 @@ TEST_F(ToolPbrtMotion, WhatCountsIsThePartWhileTheShutterIsOpen) {
   scene = read(camera("\"float shutteropen\" 3 \"float shutterclose\" 3"), moving);
   EXPECT_EQ(place(first(scene).transform)[0], 6);
   EXPECT_FALSE(first(scene).end_transform);
+  scene = read(camera("\"float shutteropen\" 5 \"float shutterclose\" 6"), moving);
+  EXPECT_EQ(place(first(scene).transform)[0], 8);
+  EXPECT_FALSE(first(scene).end_transform);
   EXPECT_EQ(diagnostics_.count(), 0u);
   scene = read(camera("\"float shutteropen\" 2 \"float shutterclose\" 6"), moving);
   EXPECT_EQ(place(first(scene).end_transform.value())[0], 8);

@@ -178,12 +178,12 @@ void read_camera(const std::string& type, const ParamList& params, const MovingT
   shutter = read_shutter(params, diagnostics);
   const double scale = uniform_scale(world_to_camera.start);
   const Transform local = known->read({params, static_cast<float>(1 / scale), folder}, camera, diagnostics);
-  if (world_to_camera.moves() && rests_in_shutter(times, shutter)) {
+  const MovingTransform to_world = camera_in_shutter(world_to_camera.inverse(), times, shutter);
+  if (to_world.moves() && rests_in_shutter(times, shutter)) {
     diagnostics.warn(params.where(), params.directive() +
                                          ": moves during a part of the exposure alone; here it moves as "
                                          "far, evenly, during all of it");
   }
-  const MovingTransform to_world = camera_in_shutter(world_to_camera.inverse(), times, shutter);
   camera.transform = (to_world.start * local).rows();
   if (to_world.moves()) camera.end_transform = (to_world.end * local).rows();
   params.warn_unused(diagnostics);

@@ -291,12 +291,13 @@ MovingTransform Directives::transform_of(const PlacedShape& placed, bool emits) 
     const double growth = uniform_scale(transform.end) / uniform_scale(transform.start);
     for (int i = 0; i < 9; ++i) transform.end.m[i / 3][i % 3] = growth * transform.start.m[i / 3][i % 3];
   }
+  transform = shape_in_shutter(transform, transform_times_, shutter_);
+  if (!transform.moves()) return transform;
   if (rests_in_shutter(transform_times_, shutter_)) {
     diagnostics_.warn(placed.where,
                       "moves during a part of the exposure alone; here it moves as far, evenly, during all of it. Let "
                       "TransformTimes be shutteropen and shutterclose of the Camera");
   }
-  transform = shape_in_shutter(transform, transform_times_, shutter_);
   if (const double part = shrinkage(transform); part > kMostShrinkage) {
     diagnostics_.warn(placed.where,
                       "turns so far that it gets " + std::to_string(100 * part) +
