@@ -411,8 +411,8 @@ typedef struct bdpt_medium_desc {
   uint32_t struct_size;
   uint32_t reserved;
   const char *label;
-  float sigma_a[3]; /* absorption coefficient, >= 0 [1 / world unit]: light falls by exp(-sigma_a d) */
-  float sigma_s[3]; /* scattering coefficient, >= 0 [1 / world unit] */
+  float sigma_a[3]; /* absorption coefficient, [0,1e9], 1 / world unit: light falls by exp(-sigma_a d) */
+  float sigma_s[3]; /* scattering coefficient, [0,1e9], 1 / world unit */
   float g;          /* mean cosine of the angle by which light is turned, (-1,1), as Henyey and Greenstein (1941) have it */
   uint32_t reserved2;
 } bdpt_medium_desc;
@@ -534,8 +534,8 @@ typedef struct bdpt_material_desc {
   uint32_t one_sided;                  /* 1: what meets the back is absorbed. Not where light goes through */
   bdpt_texture_id reflectance_texture; /* replaces reflectance; zero = none. Short for a use of
                                           slot REFLECTANCE, uv set 0, with reflectance (1,1,1) */
-  float eta[3];                        /* conductors: real part of the index, >= 0; see bdpt_metal_find */
-  float k[3];                          /* conductors: imaginary part, >= 0; eta and k not both zero in a channel */
+  float eta[3];                        /* conductors: real part of the index, [0,1e6]; see bdpt_metal_find */
+  float k[3];                          /* conductors: imaginary part, [0,1e6]; eta and k not both zero in a channel */
   float ior;                           /* dielectric, principled: index inside over index outside; 0 = 1.5; else in
                                           [0.1, 10]; of a coated diffuse in [1, 10] */
   float roughness[2];                  /* GGX alpha along u and v, [0,1]; both 0 = smooth; one 0 is an error */

@@ -22,8 +22,10 @@ TEST_F(ApiMaterial, EveryRefusalNamesFieldValueAndRemedy) {
   refused({"reflectance[2]", "is -0.1", "from 0 to 1"}, [](auto& d) { d.reflectance[2] = -0.1f; });
   refused({"reflectance[0]", "nan", "from 0 to 1"}, [](auto& d) { d.reflectance[0] = kNan; });
   refused({"one_sided", "is 2", "0 or 1"}, [](auto& d) { d.one_sided = 2; });
-  refused({"eta[0]", "is -1", "at least 0"}, [](auto& d) { d.eta[0] = -1; });
-  refused({"k[0]", "inf", "finite"}, [](auto& d) { d.k[0] = kInfinity; });
+  refused({"eta[0]", "is -1", "from 0 to 1e+06"}, [](auto& d) { d.eta[0] = -1; });
+  refused({"eta[1]", "is 2e+06", "from 0 to 1e+06"}, [](auto& d) { d.eta[1] = 2e6f; });
+  refused({"k[0]", "inf", "from 0 to 1e+06"}, [](auto& d) { d.k[0] = kInfinity; });
+  refused({"k[2]", "is 3e+18", "from 0 to 1e+06"}, [](auto& d) { d.k[2] = 3e18f; });
   refused({"eta and k", "channel 2", "index of refraction"},
           [](auto& d) { d.type = BDPT_MATERIAL_CONDUCTOR, d.eta[0] = d.eta[1] = 1; });
   refused({"ior", "is 0.05", "from 0.1 to 10"}, [](auto& d) { d.ior = 0.05f; });

@@ -16,10 +16,11 @@ TEST_F(ApiMedium, EveryRefusalNamesFieldValueAndRemedy) {
     for (const char* part : {"bdpt_medium_add", "medium \"fog\""})
       EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), part)) << bdpt_last_error();
   };
-  refused({"sigma_a[0]", "is -1", "at least 0"}, [](auto& d) { d.sigma_a[0] = -1; });
-  refused({"sigma_a[1]", "nan", "finite"}, [](auto& d) { d.sigma_a[1] = kNan; });
-  refused({"sigma_s[2]", "inf", "finite"}, [](auto& d) { d.sigma_s[2] = kInfinity; });
-  refused({"sigma_s[1]", "is -1", "at least 0"}, [](auto& d) { d.sigma_s[1] = -1; });
+  refused({"sigma_a[0]", "is -1", "from 0 to 1e+09"}, [](auto& d) { d.sigma_a[0] = -1; });
+  refused({"sigma_a[1]", "nan", "from 0 to 1e+09"}, [](auto& d) { d.sigma_a[1] = kNan; });
+  refused({"sigma_s[2]", "inf", "from 0 to 1e+09"}, [](auto& d) { d.sigma_s[2] = kInfinity; });
+  refused({"sigma_s[1]", "is -1", "from 0 to 1e+09"}, [](auto& d) { d.sigma_s[1] = -1; });
+  refused({"sigma_s[0]", "is 3e+38", "from 0 to 1e+09"}, [](auto& d) { d.sigma_s[0] = 3e38f; });
   refused({"g of", "is 1", "above -1 and below 1"}, [](auto& d) { d.g = 1; });
   refused({"g of", "is -1", "above -1 and below 1"}, [](auto& d) { d.g = -1; });
   refused({"g of", "nan", "above -1 and below 1"}, [](auto& d) { d.g = kNan; });

@@ -32,6 +32,33 @@ const Medium kMedia[] = {{"", Rgb(0.1f), Rgb(0.5f), 0},
                          {"", Rgb(0.1f, 0.3f, 0.02f), Rgb(0.5f, 2, 0), 0.7f},
                          {"", Rgb(0), Rgb(3, 0.1f, 0.5f), -0.5f}};
 
+// By the distance from the lobe's axis, in double: Henyey and Greenstein's function, and its integral up to there.
+TEST(Medium, NarrowPhaseFunctionsKeepTheirShape) {
+  for (const float g : {0.0f, 1e-4f, -0.5f, 0.99f, -0.9999f, 0.99999f, -0.99999f, 0.99999994f, -0.99999994f}) {
+    const Medium m{"", Rgb(0), Rgb(1), g};
+    statistics::Uniform uniform(3);
+    const double a = std::abs(double(g)), rest = 1 - a;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 previous = sample_sphere(uniform(), uniform());
+      const float u0 = uniform(), u1 = uniform();
+      const Vec3 next = m.sample_phase(previous, u0, u1);
+      const float phase = m.phase(previous, next);
+      ASSERT_TRUE(std::isfinite(phase) && phase > 0) << g;
+      double off_axis = 0;
+      for (int c = 0; c < 3; ++c) {
+        const double v = double(next[c]) + (g > 0 ? 1 : -1) * double(previous[c]);
+        off_axis += v * v;
+      }
+      const double d = rest * rest + a * off_axis;
+      const double exact = (1 - a * a) / (4 * M_PI * d * std::sqrt(d));
+      ASSERT_NEAR(double(phase), exact, 1e-3 * exact) << g;
+      if (rest < 1e-5) continue;  // as narrow as the rounding of directions
+      const double reached = a == 0 ? off_axis / 4 : 1 - (1 - a * a) / (2 * a) * (1 / std::sqrt(d) - 1 / (1 + a));
+      ASSERT_NEAR(reached, g > 0 ? double(u0) : 1 - double(u0), 0.02) << g << " " << u0;
+    }
+  }
+}
+
 TEST(Medium, DistancesHaveTheirDensity) {
   for (const Medium& m : kMedia) {
     statistics::Uniform uniform(7);

@@ -11,13 +11,14 @@ namespace {
 
 constexpr float kDefaultIor = 1.5f;
 constexpr float kDefaultCutoff = 0.5f;
+constexpr float kMaxMetal = 1e6f;  // of eta and k, whose fourth powers Fresnel's equations have
 
 void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_enum("type", desc.type, BDPT_MATERIAL_BRUSHED);
   subject.check_range("reflectance", desc.reflectance, 3, 0, 1);
   subject.check_flag("one_sided", desc.one_sided);
-  subject.check_not_negative("eta", desc.eta, 3);
-  subject.check_not_negative("k", desc.k, 3);
+  subject.check_range("eta", desc.eta, 3, 0, kMaxMetal);
+  subject.check_range("k", desc.k, 3, 0, kMaxMetal);
   if (desc.ior != 0) subject.check_range("ior", desc.ior, 0.1f, 10);
   subject.check_range("roughness", desc.roughness, 2, 0, 1);
   subject.check_not_negative("emission", desc.emission, 3);

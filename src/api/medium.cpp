@@ -8,12 +8,14 @@ using namespace bdpt;
 
 namespace {
 
+constexpr float kMaxSigma = 1e9f;  // contributions have products of two
+
 std::shared_ptr<const Medium> read_medium(const bdpt_medium_desc& desc) {
   const Subject subject("medium", desc.label);
   subject.check_reserved("reserved", desc.reserved);
   subject.check_reserved("reserved2", desc.reserved2);
-  subject.check_not_negative("sigma_a", desc.sigma_a, 3);
-  subject.check_not_negative("sigma_s", desc.sigma_s, 3);
+  subject.check_range("sigma_a", desc.sigma_a, 3, 0, kMaxSigma);
+  subject.check_range("sigma_s", desc.sigma_s, 3, 0, kMaxSigma);
   if (!(desc.g > -1 && desc.g < 1)) subject.refuse("g", "is ", desc.g, ": give a mean cosine above -1 and below 1");
   return std::make_shared<const Medium>(Medium{subject.label(), to_rgb(desc.sigma_a), to_rgb(desc.sigma_s), desc.g});
 }

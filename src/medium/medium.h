@@ -41,16 +41,19 @@ struct Medium {
     return -std::log1p(-u1) / sigma;
   }
 
-  // The phase function, per solid angle, and its own density; both directions point away from the vertex (unit).
+  // The phase function, per solid angle, and its own density; both directions point away from the vertex (unit). Narrow
+  // lobes are known by the distance from their axis: a cosine near 1 has lost it.
   float phase(const Vec3& previous, const Vec3& next) const {
-    const float d = 1 + g * g + 2 * g * dot(previous, next);
-    return 0.25f * kInvPi * (1 - g * g) / (d * std::sqrt(d));
+    const float a = std::fabs(g), rest = 1 - a;
+    const Vec3 off_axis = g > 0 ? next + previous : next - previous;
+    const float d = rest * rest + a * dot(off_axis, off_axis);  // 1 + g^2 + 2 g cos
+    return 0.25f * kInvPi * rest * (1 + a) / (d * std::sqrt(d));
   }
   Vec3 sample_phase(const Vec3& previous, float u0, float u1) const {
-    float cosine = 2 * u0 - 1;
-    if (std::fabs(g) > 1e-3f) cosine = (sqr((1 - g * g) / (1 + g - 2 * g * u0)) - 1 - g * g) / (2 * g);
-    cosine = std::clamp(cosine, -1.0f, 1.0f);
-    const float sine = safe_sqrt(1 - cosine * cosine), phi = kTwoPi * u1;
+    const float a = std::fabs(g), rest = 1 - a, u = g > 0 ? u0 : 1 - u0;
+    const float base = rest + 2 * a * (1 - u);
+    const float x = std::min(rest * u * (rest * (1 + a) / base + rest) / base, 2.0f);  // 1 - cos from the axis
+    const float cosine = g > 0 ? x - 1 : 1 - x, sine = std::sqrt(x * (2 - x)), phi = kTwoPi * u1;
     return Frame(previous).to_world({sine * std::cos(phi), sine * std::sin(phi), cosine});
   }
 };

@@ -84,6 +84,7 @@ bdpt_camera_desc camera_desc(const SceneDescription& description, std::uint32_t 
   desc.type = options.type.value_or(camera.type);
   set_crop(description.film, diagnostics, camera.where, desc);
   std::copy_n(camera.transform.data(), 12, desc.transform);
+  if (camera.end_transform) std::copy_n(camera.end_transform->data(), 12, desc.end_transform);
   if (desc.type == camera.type) {
     if (desc.type == BDPT_CAMERA_PERSPECTIVE || desc.type == BDPT_CAMERA_ORTHOGRAPHIC) set_frame(camera, desc);
     if (desc.type == BDPT_CAMERA_LENS) set_lens(camera, description.film.diagonal, desc);

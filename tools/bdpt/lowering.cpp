@@ -25,9 +25,13 @@ class Lowering {
       case BDPT_MATERIAL_PRINCIPLED:
         lower_principled();
         break;
+      case BDPT_MATERIAL_CONDUCTOR:
+        if (from_.reflectance_texture.texture >= 0) lower_textured_metal();
+        break;
       case BDPT_MATERIAL_COATED_DIFFUSE:
         to_.ior = from_.coat.ior;
         to_.roughness = from_.coat.roughness;
+        to_.roughness_texture = from_.coat.roughness_texture;
         lower_coat(to_.ior);
         break;
       case BDPT_MATERIAL_COATED_CONDUCTOR:
@@ -89,6 +93,16 @@ class Lowering {
       if (channel > 1) note(text);
       channel = std::min(channel, 1.0f);
     }
+  }
+
+  void lower_textured_metal() {
+    note("metals whose reflectance is a picture have Schlick's Fresnel, which differs at grazing angles");
+    if (from_.roughness[0] != from_.roughness[1])
+      note("metals whose reflectance is a picture are rough alike in all directions");
+    to_.type = BDPT_MATERIAL_PRINCIPLED;
+    to_.principled.metallic.factor = 1;
+    to_.principled.roughness = {std::sqrt(from_.roughness[0] * from_.roughness[1]), from_.roughness_texture, 0};
+    to_.principled.roughness_is_alpha = true;
   }
 
   void lower_coat(float& ior) {
@@ -177,8 +191,9 @@ class Lowering {
                           to_.type == BDPT_MATERIAL_COATED_CONDUCTOR;
     if (is_plain || to_.type == BDPT_MATERIAL_MIX || to_.type == BDPT_MATERIAL_INTERFACE) to_.reflectance_texture = {};
     if (is_plain && from_.uses_vertex_colors) note("colours of vertices are left out of metals and glass");
-    for (const TextureUse* use : {&to_.reflectance_texture, &to_.normal.texture, &to_.bump.texture, &to_.alpha.texture,
-                                  &to_.emission_texture, &to_.principled.roughness.texture}) {
+    for (const TextureUse* use :
+         {&to_.reflectance_texture, &to_.normal.texture, &to_.bump.texture, &to_.alpha.texture, &to_.emission_texture,
+          &to_.roughness_texture, &to_.coat.roughness_texture, &to_.principled.roughness.texture}) {
       if (use->texture < 0) continue;
       const auto& wrap = texture_of(scene_, *use).wrap;
       if (wrap[0] == Wrap::kBlack || wrap[1] == Wrap::kBlack)

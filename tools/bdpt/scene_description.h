@@ -68,14 +68,16 @@ enum class AlphaMode { kOpaque, kMask, kBlend };
 struct CoatDescription {
   float ior = 1.5f, thickness = 0.01f, g = 0;
   std::array<float, 2> roughness = {};
+  TextureUse roughness_texture;  // times both
   Rgb albedo = {};
 };
 
 // glTF's metallic-roughness material with the KHR extensions; base colour, normals, alpha and emission are the
-// material's own. Roughnesses are glTF's: the square roots of GGX's alpha.
+// material's own. Roughnesses are glTF's: the square roots of GGX's alpha, but for what is said.
 struct PrincipledDescription {
   FloatValue metallic = {.factor = 0, .texture = {}, .channel = 2};
   FloatValue roughness = {.factor = 1, .texture = {}, .channel = 1};
+  bool roughness_is_alpha = false;
   FloatValue specular = {.factor = 1, .texture = {}, .channel = 3};
   ColorValue specular_color;
   FloatValue transmission = {.factor = 0, .texture = {}, .channel = 0};
@@ -102,13 +104,15 @@ struct MaterialDescription {
   bdpt_material_type type = BDPT_MATERIAL_DIFFUSE;
   std::string label;
   Location where;
-  // Diffuse, mirror, the base under a coat of diffuse, the reflected part of diffuse transmission, the base colour.
+  // Diffuse, mirror, the base under a coat of diffuse, the reflected part of diffuse transmission, the base colour; of
+  // conductors only with a texture, which then stands for eta and k.
   Rgb reflectance = {0.5f, 0.5f, 0.5f};
   TextureUse reflectance_texture;
   ColorValue transmittance = {.factor = {0.25f, 0.25f, 0.25f}, .texture = {}};  // diffuse transmission
   Rgb eta = {}, k = {};
   float ior = 1.5f;
   std::array<float, 2> roughness = {};  // GGX's alpha
+  TextureUse roughness_texture;         // times both
   bool single_scattering = false;       // of microfacets: the rest is lost
   CoatDescription coat;
   PrincipledDescription principled;
@@ -142,6 +146,7 @@ struct InstanceDescription {
   std::string node_name;  // by which that is named on the command line; several may have one name
   bdpt_instance_id id{};  // once the library has it
   bdpt_material_id material_id{};
+  std::optional<std::array<float, 12>> end_transform{};  // when the shutter closes, of what moves
 };
 
 struct MediumDescription {
@@ -171,6 +176,7 @@ struct CameraDescription {
   bdpt_camera_type type = BDPT_CAMERA_PERSPECTIVE;
   Location where;
   std::array<float, 12> transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // the library's camera to the world
+  std::optional<std::array<float, 12>> end_transform;                      // when the shutter closes, if it moves
   float fov_short_axis = 90;                                               // degrees over two units of the screen
   bool fov_is_vertical = false;                // the above is of the image's height, whatever its shape
   std::optional<std::array<float, 4>> screen;  // x0, x1, y0, y1; empty = fitted to the image

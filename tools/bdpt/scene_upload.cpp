@@ -193,7 +193,7 @@ class Uploader {
                       std::vector<bdpt_texture_use>& uses) {
     constexpr float kDegrees = 57.29577951f;
     const PrincipledDescription& p = material.principled;
-    desc.perceptual_roughness = 1;
+    desc.perceptual_roughness = !p.roughness_is_alpha;
     std::fill_n(desc.roughness, 2, number(p.roughness, BDPT_SLOT_ROUGHNESS, uses));
     desc.metalness = number(p.metallic, BDPT_SLOT_METALNESS, uses);
     desc.specular = number(p.specular, BDPT_SLOT_SPECULAR, uses);
@@ -214,14 +214,15 @@ class Uploader {
 
   // What is left after the distance has the colour. Source: KHR_materials_volume.
   bdpt_medium_id absorption(const MaterialDescription& material) {
-    constexpr float kDarkest = 1e-6f;
+    constexpr float kDarkest = 1e-6f, kMostAbsorbed = 1e9f;  // black within a hair
     const PrincipledDescription& p = material.principled;
     if (!(p.attenuation_distance > 0) || p.attenuation_color == Rgb{1, 1, 1}) return {};
     MediumDescription medium;
     medium.label = material.label;
     medium.where = material.where;
     for (std::size_t c = 0; c < 3; ++c)
-      medium.sigma_a[c] = -std::log(std::max(p.attenuation_color[c], kDarkest)) / p.attenuation_distance;
+      medium.sigma_a[c] =
+          std::min(-std::log(std::max(p.attenuation_color[c], kDarkest)) / p.attenuation_distance, kMostAbsorbed);
     return add(medium);
   }
 
@@ -247,13 +248,18 @@ class Uploader {
     desc.ior = material.ior;
     std::copy_n(material.roughness.data(), 2, desc.roughness);
     desc.single_scattering = material.single_scattering;
-    if (material.type == BDPT_MATERIAL_PRINCIPLED) set_principled(material, desc, uses);
+    if (material.type == BDPT_MATERIAL_PRINCIPLED) {
+      set_principled(material, desc, uses);
+    } else {
+      use(material.roughness_texture, BDPT_SLOT_ROUGHNESS, 0, 0, uses);
+    }
     if (material.type == BDPT_MATERIAL_MIX) set_mix(material, desc, uses);
     if (material.type == BDPT_MATERIAL_DIFFUSE_TRANSMISSION)
       color(material.transmittance, BDPT_SLOT_TRANSMITTANCE, desc.transmittance, uses);
     if (material.type == BDPT_MATERIAL_COATED_CONDUCTOR) {
       desc.coat_ior = material.coat.ior;
       desc.coat_roughness = std::sqrt(material.coat.roughness[0] * material.coat.roughness[1]);
+      use(material.coat.roughness_texture, BDPT_SLOT_COAT_ROUGHNESS, 0, 0, uses);
     }
     if (material.interior >= 0) desc.interior = once(media_, described_media_, material.interior);
     std::copy_n(material.emission.data(), 3, desc.emission);
@@ -282,6 +288,7 @@ class Uploader {
     desc.shape = once(shapes_, description_.shapes, instance.shape);
     desc.material = instance.material_id = once(materials_, lowered_, instance.material);
     std::copy_n(instance.transform.data(), 12, desc.transform);
+    if (instance.end_transform) std::copy_n(instance.end_transform->data(), 12, desc.end_transform);
     check(bdpt_instance_add(builder_.get(), &desc, &instance.id), instance.where);
   }
 

@@ -79,6 +79,18 @@ class Glb {
 
 }  // namespace
 
+std::string with_json(std::string_view data, const Container& container, std::string json) {
+  if (!container.is_glb) return json;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string_view rest = data.substr(kHeaderSize + kChunkHeaderSize + container.json.size());
+  std::string file = "glTF";
+  for (const std::size_t number : {std::size_t{2}, kHeaderSize + kChunkHeaderSize + json.size() + rest.size(),
+                                   json.size(), std::size_t{kJsonChunk}}) {
+    for (std::size_t i = 0; i < 4; ++i) file += static_cast<char>(number >> (8 * i) & 255);
+  }
+  return file.append(json).append(rest);
+}
+
 Container open_container(const std::string& path, std::string_view data) {
   if (data.starts_with("glTF") || path.ends_with(".glb")) return Glb(path, data).open();
   return {data};

@@ -14,6 +14,9 @@ struct Container {
   bool has_binary = false;  // a GLB with a chunk of binary data
 };
 
+// The same file with another JSON.
+std::string with_json(std::string_view data, const Container& container, std::string json);
+
 // Throws an Error if the data is a damaged GLB, or none though the file is named so.
 Container open_container(const std::string& path, std::string_view data);
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "file_data.h"
+#include "gltf/draco.h"
 #include "gltf/schema.h"
 
 #define TINYGLTF_IMPLEMENTATION
@@ -84,12 +85,15 @@ std::string first_line(const std::string& text) {
 tinygltf::Model load(const std::string& path, const SceneFolder& folder) {
   const Location where{path, 0};
   const FileData file(path);
-  const std::string_view data = file.text();
+  std::string_view data = file.text();
   if (data.size() > std::numeric_limits<std::int32_t>::max()) {
     throw Error(where, "larger than 2 GiB; put its data into buffers of their own");
   }
   const Container container = open_container(path, data);
   Supply supply{check_document(path, folder, container), 0, where};
+  std::string changed;
+  if (kReadsDraco && container.json.find("KHR_draco_mesh_compression") != std::string_view::npos)
+    data = changed = with_json(data, container, with_packed_indices_apart(container.json));
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keep_image, nullptr);
   loader.SetFsCallbacks(file_callbacks<tinygltf::FsCallbacks>(supply));
@@ -113,7 +117,9 @@ class Converter {
     convert_data();
     for (const tinygltf::Material& material : model_.materials) document_.materials.push_back(read_material(material));
     for (const tinygltf::Texture& texture : model_.textures) document_.textures.push_back(converted(texture));
-    for (const tinygltf::Mesh& mesh : model_.meshes) document_.meshes.push_back(converted(mesh));
+    for (std::size_t i = 0; i < model_.meshes.size(); ++i) {
+      document_.meshes.push_back(converted(model_.meshes[i], place("meshes", i)));
+    }
     for (const tinygltf::Camera& camera : model_.cameras) document_.cameras.push_back(converted(camera));
     for (const tinygltf::Light& light : model_.lights) document_.lights.push_back(converted(light));
     for (const tinygltf::Skin& skin : model_.skins) document_.skins.push_back(converted(skin));
@@ -129,11 +135,12 @@ class Converter {
 
   void convert_data() {
     for (tinygltf::Buffer& buffer : model_.buffers) document_.storage.push_back(std::move(buffer.data));
+    find_packed();
     for (const tinygltf::Accessor& accessor : model_.accessors) {
       if (accessor.bufferView >= 0) max_zero_elements_ = std::max(max_zero_elements_, accessor.count);
     }
     for (std::size_t i = 0; i < model_.accessors.size(); ++i) {
-      document_.accessors.push_back(converted(model_.accessors[i], place("accessors", i)));
+      document_.accessors.push_back(converted(model_.accessors[i], is_packed_[i], place("accessors", i)));
     }
     for (tinygltf::Image& image : model_.images) {
       Image converted;
@@ -181,7 +188,7 @@ class Converter {
     return data_of(view) + offset;
   }
 
-  Accessor converted(const tinygltf::Accessor& from, const std::string& at) const {
+  Accessor converted(const tinygltf::Accessor& from, bool is_packed, const std::string& at) const {
     Accessor to;
     to.count = from.count;
     to.type = component(from.componentType, at);
@@ -193,7 +200,7 @@ class Converter {
       const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(from.bufferView)].byteStride;
       if (stride > 0) to.stride = stride;
       to.data = checked(from.bufferView, from.byteOffset, to.count, to.stride, size, at);
-    } else if (to.count > max_zero_elements_) {
+    } else if (to.count > max_zero_elements_ && !is_packed) {
       fail(at, "has no data for its " + std::to_string(to.count) + " elements");
     }
     if (from.sparse.isSparse) convert_sparse(from, size, at + ".sparse", to);
@@ -235,12 +242,43 @@ class Converter {
     return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::kMirror : Wrap::kRepeat;
   }
 
-  static Mesh converted(const tinygltf::Mesh& from) {
+  static const tinygltf::Value* draco_of(const tinygltf::Primitive& primitive) {
+    return kReadsDraco ? extension(primitive.extensions, "KHR_draco_mesh_compression") : nullptr;
+  }
+
+  // The accessors whose data Draco has; when all meshes are unpacked, it had as much as they say.
+  void find_packed() {
+    is_packed_.resize(model_.accessors.size());
+    for (const tinygltf::Mesh& mesh : model_.meshes) {
+      for (const tinygltf::Primitive& primitive : mesh.primitives) {
+        const tinygltf::Value* draco = draco_of(primitive);
+        if (!draco) continue;
+        if (draco->Has("indices")) is_packed_[static_cast<std::size_t>(draco->Get("indices").GetNumberAsInt())] = true;
+        for (const std::string& name : draco->Get("attributes").Keys()) {
+          const auto found = primitive.attributes.find(name);
+          if (found != primitive.attributes.end()) is_packed_[static_cast<std::size_t>(found->second)] = true;
+        }
+      }
+    }
+  }
+
+  void unpack(const tinygltf::Value& draco, const std::string& at, Primitive& primitive) {
+    const auto& view = model_.bufferViews[static_cast<std::size_t>(draco.Get("bufferView").GetNumberAsInt())];
+    if (draco.Has("indices")) primitive.indices = draco.Get("indices").GetNumberAsInt();
+    const tinygltf::Value& attributes = draco.Get("attributes");
+    std::map<std::string, int> ids;
+    for (const std::string& name : attributes.Keys()) ids[name] = attributes.Get(name).GetNumberAsInt();
+    unpack_draco({data_of(view), view.byteLength}, ids, where_, at, document_, primitive);
+  }
+
+  Mesh converted(const tinygltf::Mesh& from, const std::string& at) {
     Mesh to;
     to.name = from.name;
     for (const tinygltf::Primitive& primitive : from.primitives) {
       to.primitives.push_back({static_cast<Mode>(primitive.mode), primitive.indices, primitive.material,
                                primitive.attributes, primitive.targets});
+      if (const tinygltf::Value* draco = draco_of(primitive))
+        unpack(*draco, place((at + ".primitives").c_str(), to.primitives.size() - 1), to.primitives.back());
     }
     to.weights = from.weights;
     return to;
@@ -313,6 +351,7 @@ class Converter {
   const std::string& scene_;
   tinygltf::Model model_;
   Document document_;
+  std::vector<bool> is_packed_;
   std::size_t max_zero_elements_ = kMaxZeroElements;
 };
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "default_view.h"
+#include "gltf/draco.h"
 #include "gltf/instancing.h"
 #include "gltf/lights.h"
 #include "gltf/materials.h"
@@ -96,7 +97,8 @@ class Reader {
     }
     if (document_.has_animations) notes_.add("animations are left out: everything stays as it is at rest");
     for (const std::string& extension : document_.extensions) {
-      if (std::find(std::begin(kRead), std::end(kRead), extension) == std::end(kRead)) {
+      const bool is_draco = kReadsDraco && extension == "KHR_draco_mesh_compression";
+      if (!is_draco && std::find(std::begin(kRead), std::end(kRead), extension) == std::end(kRead)) {
         notes_.add("the extension " + extension + " is not known, and is left out");
       }
     }

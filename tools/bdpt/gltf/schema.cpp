@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "error.h"
+#include "gltf/draco.h"
 #include "gltf/schema_checker.h"
 
 namespace bdpt_tool::gltf {
@@ -81,11 +82,13 @@ void check_extensions(const Checker& checker, const Json& document) {
     const auto name = required.get<std::string>();
     const bool known =
         name.starts_with("KHR_materials_") || std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown);
-    if (known) continue;
+    const bool draco = name == "KHR_draco_mesh_compression";
+    if (known || (draco && kReadsDraco)) continue;
     std::string advice = "export without it";
-    if (name == "KHR_draco_mesh_compression") advice = "write the meshes uncompressed";
+    if (draco) advice = "install libdraco-dev and build this program anew, or write the meshes uncompressed";
     if (name == "EXT_meshopt_compression") advice = "write the buffers uncompressed";
     if (name == "KHR_texture_basisu" || name == "EXT_texture_webp") advice = "write the textures as PNG or JPEG";
+    if (name == "KHR_texture_basisu") advice += ": Debian has no library for KTX2";
     checker.fail("extensionsRequired", "names " + name + ", which is not read here; " + advice);
   }
 }

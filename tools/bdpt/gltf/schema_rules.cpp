@@ -69,6 +69,10 @@ constexpr Rule kBody[] = {
     integer("meshes[].primitives[].mode", 0, 6),
     index("meshes[].primitives[].targets[].*", "accessors"),
     object("meshes[].primitives[].extensions"),
+    object("meshes[].primitives[].extensions.KHR_draco_mesh_compression"),
+    index("meshes[].primitives[].extensions.KHR_draco_mesh_compression.bufferView", "bufferViews", kRequired),
+    object("meshes[].primitives[].extensions.KHR_draco_mesh_compression.attributes", kRequired),
+    integer("meshes[].primitives[].extensions.KHR_draco_mesh_compression.attributes.*", 0, kMaxInt),
     numbers("meshes[].weights", 0),
 
     text("nodes[].name"),

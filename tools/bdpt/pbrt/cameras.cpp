@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace bdpt_tool {
 namespace {
@@ -15,8 +16,7 @@ constexpr std::size_t kMostSurfaces = 64;
 // What a kind of camera is read from.
 struct CameraSource {
   const ParamList& params;
-  Transform to_world;  // from the format's camera, which looks along +z
-  float scale;         // world units in one of its
+  float scale;  // world units in one of the format's camera
   const SceneFolder& folder;
 };
 
@@ -38,7 +38,7 @@ void read_window(const CameraSource& source, CameraDescription& camera) {
   }
 }
 
-void read_perspective(const CameraSource& source, CameraDescription& camera, Diagnostics&) {
+Transform read_perspective(const CameraSource& source, CameraDescription& camera, Diagnostics&) {
   const ParamList& params = source.params;
   camera.fov_short_axis = params.get_float("fov", 90);
   if (!(camera.fov_short_axis > 0 && camera.fov_short_axis < 180)) params.fail("fov must be between 0 and 180 degrees");
@@ -49,9 +49,10 @@ void read_perspective(const CameraSource& source, CameraDescription& camera, Dia
   if (camera.lens_radius < 0) params.fail("lensradius must not be negative");
   if (!(camera.focus_distance > 0)) params.fail("focaldistance must be greater than zero");
   if (camera.lens_radius == 0) camera.focus_distance = 0;
+  return kTurned;
 }
 
-void read_orthographic(const CameraSource& source, CameraDescription& camera, Diagnostics& diagnostics) {
+Transform read_orthographic(const CameraSource& source, CameraDescription& camera, Diagnostics& diagnostics) {
   camera.type = BDPT_CAMERA_ORTHOGRAPHIC;
   camera.screen_scale = source.scale;
   read_window(source, camera);
@@ -59,18 +60,18 @@ void read_orthographic(const CameraSource& source, CameraDescription& camera, Di
     source.params.warn_ignored("lensradius", "is ignored: an orthographic camera has no lens here", diagnostics);
   }
   source.params.ignore("focaldistance");
+  return kTurned;
 }
 
 // The format's panorama begins to the right and turns to the front, to the left and to the back; the library's has the
 // front in the middle and its right to the right.
-void read_spherical(const CameraSource& source, CameraDescription& camera, Diagnostics&) {
+Transform read_spherical(const CameraSource& source, CameraDescription& camera, Diagnostics&) {
   const std::string mapping = source.params.get_string("mapping", "equalarea");
   if (mapping != "equirectangular") {
     source.params.fail("the mapping '" + mapping + "' is not known; use equirectangular");
   }
   camera.type = BDPT_CAMERA_EQUIRECTANGULAR;
-  constexpr Transform kPanorama = {{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}}};
-  camera.transform = (source.to_world * kPanorama).rows();
+  return {{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}}};
 }
 
 // Rows of four numbers: radius of curvature, thickness, index of refraction, diameter; # begins a comment.
@@ -111,7 +112,7 @@ std::vector<bdpt_lens_surface> read_lens(const ParamList& params, const SceneFol
 }
 
 // The format puts the film at the origin, the library the first surface.
-void read_realistic(const CameraSource& source, CameraDescription& camera, Diagnostics& diagnostics) {
+Transform read_realistic(const CameraSource& source, CameraDescription& camera, Diagnostics& diagnostics) {
   const ParamList& params = source.params;
   camera.type = BDPT_CAMERA_LENS;
   camera.lens = read_lens(params, source.folder);
@@ -130,11 +131,22 @@ void read_realistic(const CameraSource& source, CameraDescription& camera, Diagn
   const double focus = static_cast<double>(params.get_float("focusdistance", 10)) - length;
   if (!(focus > 0)) params.fail("focusdistance lies within the lens; it is measured from the film, in metres");
   camera.focus_distance = static_cast<float>(focus) * source.scale;
-  camera.transform = (source.to_world * translation(0, 0, length) * kTurned).rows();
   diagnostics.warn(params.where(), params.directive() + ": a radiance of 1 gives 1 in the middle of the picture");
+  return translation(0, 0, length) * kTurned;
 }
 
-using ReadFunction = void(const CameraSource&, CameraDescription&, Diagnostics&);
+TimeRange read_shutter(const ParamList& params, Diagnostics& diagnostics) {
+  TimeRange shutter = {static_cast<double>(params.get_float("shutteropen", 0)),
+                       static_cast<double>(params.get_float("shutterclose", 1))};
+  if (shutter[1] < shutter[0]) {
+    diagnostics.warn(params.where(), params.directive() + ": the shutter closes before it opens; both are exchanged");
+    std::swap(shutter[0], shutter[1]);
+  }
+  return shutter;
+}
+
+// Returns what leads from the library's camera to the format's, which looks along +z.
+using ReadFunction = Transform(const CameraSource&, CameraDescription&, Diagnostics&);
 struct Kind {
   const char* name;
   ReadFunction* read;
@@ -146,8 +158,9 @@ constexpr Kind kKinds[] = {{"perspective", read_perspective},
 
 }  // namespace
 
-void read_camera(const std::string& type, const ParamList& params, const Transform& world_to_camera,
-                 const SceneFolder& folder, SceneDescription& scene, Diagnostics& diagnostics) {
+void read_camera(const std::string& type, const ParamList& params, const MovingTransform& world_to_camera,
+                 const TimeRange& times, TimeRange& shutter, const SceneFolder& folder, SceneDescription& scene,
+                 Diagnostics& diagnostics) {
   const Kind* known = nullptr;
   for (const Kind& kind : kKinds) {
     if (type == kind.name) known = &kind;
@@ -157,14 +170,22 @@ void read_camera(const std::string& type, const ParamList& params, const Transfo
   }
   CameraDescription camera;
   camera.where = params.where();
-  if (!world_to_camera.is_invertible()) params.fail("the transform before it is singular");
-  const double scale = uniform_scale(world_to_camera);
-  if (scale == 0) params.fail("the transform before it scales differently along its axes, or shears; remove that");
-  const Transform to_world = world_to_camera.inverse();
-  camera.transform = (to_world * kTurned).rows();
-  known->read({params, to_world, static_cast<float>(1 / scale), folder}, camera, diagnostics);
-  params.ignore("shutteropen");
-  params.ignore("shutterclose");
+  for (const Transform& transform : {world_to_camera.start, world_to_camera.end}) {
+    if (!transform.is_invertible()) params.fail("the transform before it is singular");
+    if (uniform_scale(transform) == 0)
+      params.fail("the transform before it scales differently along its axes, or shears; remove that");
+  }
+  shutter = read_shutter(params, diagnostics);
+  const double scale = uniform_scale(world_to_camera.start);
+  const Transform local = known->read({params, static_cast<float>(1 / scale), folder}, camera, diagnostics);
+  const MovingTransform to_world = camera_in_shutter(world_to_camera.inverse(), times, shutter);
+  if (to_world.moves() && rests_in_shutter(times, shutter)) {
+    diagnostics.warn(params.where(), params.directive() +
+                                         ": moves during a part of the exposure alone; here it moves as "
+                                         "far, evenly, during all of it");
+  }
+  camera.transform = (to_world.start * local).rows();
+  if (to_world.moves()) camera.end_transform = (to_world.end * local).rows();
   params.warn_unused(diagnostics);
   scene.camera = camera;
 }

@@ -5,15 +5,16 @@
 
 #include <string>
 
+#include "pbrt/motion.h"
 #include "pbrt/params.h"
 #include "scene_description.h"
 #include "scene_folder.h"
-#include "transform.h"
 
 namespace bdpt_tool {
 
-// `world_to_camera` is the transform where Camera stands in the file; files are found in `folder`.
-void read_camera(const std::string& type, const ParamList& params, const Transform& world_to_camera,
-                 const SceneFolder& folder, SceneDescription& scene, Diagnostics& diagnostics);
+// `world_to_camera` is the transform where Camera stands in the file; files are found in `folder`. Sets `shutter`.
+void read_camera(const std::string& type, const ParamList& params, const MovingTransform& world_to_camera,
+                 const TimeRange& times, TimeRange& shutter, const SceneFolder& folder, SceneDescription& scene,
+                 Diagnostics& diagnostics);
 
 }  // namespace bdpt_tool

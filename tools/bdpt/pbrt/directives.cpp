@@ -114,7 +114,7 @@ void Directives::camera(Lexer& lexer, const Location& where) {
   require_options(where, "Camera");
   std::string type;
   const ParamList params = expect_params(lexer, where, "Camera", type);
-  read_camera(type, params, state_.transform, folder_, scene_, diagnostics_);
+  read_camera(type, params, state_.transform, transform_times_, shutter_, folder_, scene_, diagnostics_);
   coordinate_systems_["camera"] = state_.transform.inverse();
   camera_medium_ = state_.exterior;
   camera_where_ = where;
@@ -190,8 +190,9 @@ void Directives::attribute(Lexer&, const Location& where) {
 void Directives::world_begin(Lexer&, const Location& where) {
   require_options(where, "WorldBegin");
   in_world_ = true;
-  state_.transform = Transform{};
-  coordinate_systems_["world"] = Transform{};
+  state_.transform = MovingTransform{};
+  state_.active = {true, true};
+  coordinate_systems_["world"] = MovingTransform{};
 }
 
 }  // namespace bdpt_tool

@@ -14,6 +14,7 @@
 #include "pbrt/lights.h"
 #include "pbrt/materials.h"
 #include "pbrt/media.h"
+#include "pbrt/motion.h"
 #include "pbrt/shapes.h"
 #include "pbrt/textures.h"
 #include "scene_description.h"
@@ -44,7 +45,8 @@ class Directives {
     std::optional<MaterialDescription> converted;
   };
   struct State {
-    Transform transform;
+    MovingTransform transform;
+    std::array<bool, 2> active = {true, true};  // which of them transforms change: start and end
     std::shared_ptr<MaterialEntry> material;
     std::optional<AreaLight> area_light;
     bool reverse_orientation = false;
@@ -77,7 +79,8 @@ class Directives {
   void coord_sys_transform(Lexer&, const Location&);
   void active_transform(Lexer&, const Location&);
   void transform_times(Lexer&, const Location&);
-  void set_transform(const Transform& transform, const Location& where);
+  template <class Change>
+  void change_transform(const Change& change, const Location& where);
 
   // directives.cpp
   void camera(Lexer&, const Location&);
@@ -117,6 +120,7 @@ class Directives {
   MaterialDescription mixed(MaterialEntry& entry, const Location& user, int depth);
   FloatValue alpha_of(const ParamList& params);
   int place_material(const PlacedShape& placed);
+  MovingTransform transform_of(const PlacedShape& placed, bool emits);
   void place(const PlacedShape& placed);
   int medium_named(const std::string& name, const Location& user) const;
 
@@ -129,7 +133,8 @@ class Directives {
   std::vector<Scope> scopes_;
   bool in_world_ = false;
   bool has_camera_ = false;
-  std::map<std::string, Transform> coordinate_systems_;
+  TimeRange transform_times_ = {0, 1}, shutter_ = {0, 1};
+  std::map<std::string, MovingTransform> coordinate_systems_;
   std::map<std::string, std::shared_ptr<MaterialEntry>> named_materials_;
   std::map<std::string, int> named_media_;
   std::string camera_medium_;

@@ -33,29 +33,35 @@ Transform expect_matrix(Lexer& lexer, const Location& where, const char* directi
 
 }  // namespace
 
-void Directives::set_transform(const Transform& transform, const Location& where) {
-  if (!transform.is_finite()) throw Error(where, "the transform is not finite");
-  state_.transform = transform;
+// Of the active ones.
+template <class Change>
+void Directives::change_transform(const Change& change, const Location& where) {
+  MovingTransform& transform = state_.transform;
+  if (state_.active[0]) transform.start = change(transform.start);
+  if (state_.active[1]) transform.end = change(transform.end);
+  if (!transform.start.is_finite() || !transform.end.is_finite()) throw Error(where, "the transform is not finite");
 }
 
-void Directives::identity(Lexer&, const Location&) { state_.transform = Transform{}; }
+void Directives::identity(Lexer&, const Location& where) {
+  change_transform([](const Transform&) { return Transform{}; }, where);
+}
 
 void Directives::translate(Lexer& lexer, const Location& where) {
   const Vec3 t = expect_vector(lexer, where, "Translate");
-  set_transform(state_.transform * translation(t[0], t[1], t[2]), where);
+  change_transform([&](const Transform& before) { return before * translation(t[0], t[1], t[2]); }, where);
 }
 
 void Directives::scale(Lexer& lexer, const Location& where) {
   const Vec3 s = expect_vector(lexer, where, "Scale");
   if (s[0] == 0 || s[1] == 0 || s[2] == 0) throw Error(where, "Scale: a factor of zero cannot be undone; use another");
-  set_transform(state_.transform * scaling(s[0], s[1], s[2]), where);
+  change_transform([&](const Transform& before) { return before * scaling(s[0], s[1], s[2]); }, where);
 }
 
 void Directives::rotate(Lexer& lexer, const Location& where) {
   const double degrees = expect_number(lexer, where, "Rotate");
   const Vec3 axis = expect_vector(lexer, where, "Rotate");
   if (length(axis) == 0) throw Error(where, "Rotate: the axis has no length");
-  set_transform(state_.transform * rotation(degrees, axis), where);
+  change_transform([&](const Transform& before) { return before * rotation(degrees, axis); }, where);
 }
 
 void Directives::look_at_directive(Lexer& lexer, const Location& where) {
@@ -67,15 +73,17 @@ void Directives::look_at_directive(Lexer& lexer, const Location& where) {
   if (length(up) == 0 || length(cross(normalized(up), normalized(axis))) < 1e-9) {
     throw Error(where, "LookAt: up has no length or is parallel to the direction of view; choose another");
   }
-  set_transform(state_.transform * look_at(eye, target, up), where);
+  change_transform([&](const Transform& before) { return before * look_at(eye, target, up); }, where);
 }
 
 void Directives::transform(Lexer& lexer, const Location& where) {
-  set_transform(expect_matrix(lexer, where, "Transform"), where);
+  const Transform matrix = expect_matrix(lexer, where, "Transform");
+  change_transform([&](const Transform&) { return matrix; }, where);
 }
 
 void Directives::concat_transform(Lexer& lexer, const Location& where) {
-  set_transform(state_.transform * expect_matrix(lexer, where, "ConcatTransform"), where);
+  const Transform matrix = expect_matrix(lexer, where, "ConcatTransform");
+  change_transform([&](const Transform& before) { return before * matrix; }, where);
 }
 
 void Directives::coordinate_system(Lexer& lexer, const Location& where) {
@@ -93,12 +101,18 @@ void Directives::coord_sys_transform(Lexer& lexer, const Location& where) {
 
 void Directives::active_transform(Lexer& lexer, const Location& where) {
   const auto token = lexer.next();
-  if (!token || token->text != "All") throw Error(where, "moving objects are not known; remove ActiveTransform");
+  const std::string_view which = token ? token->text : std::string_view();
+  if (which != "All" && which != "StartTime" && which != "EndTime")
+    throw Error(where, "ActiveTransform: give StartTime, EndTime or All");
+  state_.active = {which != "EndTime", which != "StartTime"};
 }
 
 void Directives::transform_times(Lexer& lexer, const Location& where) {
-  expect_number(lexer, where, "TransformTimes");
-  expect_number(lexer, where, "TransformTimes");
+  require_options(where, "TransformTimes");
+  if (has_camera_) throw Error(where, "TransformTimes must come before Camera");
+  for (double& time : transform_times_) time = expect_number(lexer, where, "TransformTimes");
+  if (!(transform_times_[0] < transform_times_[1]))
+    throw Error(where, "TransformTimes: the second must be the later one");
 }
 
 }  // namespace bdpt_tool

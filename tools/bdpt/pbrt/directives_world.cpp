@@ -31,6 +31,7 @@ void Directives::pop(Scope::Kind kind, const Location& where) {
   }
   if (kind == Scope::Kind::kTransform) {
     state_.transform = scope.state.transform;
+    state_.active = scope.state.active;
   } else {
     state_ = scope.state;
   }
@@ -142,7 +143,9 @@ void Directives::light_source(Lexer& lexer, const Location& where) {
   require_world(where, "LightSource");
   std::string type;
   const ParamList params = expect_params(lexer, where, "LightSource", type);
-  scene_.lights.push_back(convert_light(type, params, state_.transform, folder_, scene_, diagnostics_));
+  if (state_.transform.moves())
+    diagnostics_.warn(where, params.directive() + ": lights do not move; it stays where it starts, as in pbrt");
+  scene_.lights.push_back(convert_light(type, params, state_.transform.start, folder_, scene_, diagnostics_));
 }
 
 void Directives::shape(Lexer& lexer, const Location& where) {
@@ -230,14 +233,20 @@ int Directives::medium_named(const std::string& name, const Location& user) cons
 int Directives::place_material(const PlacedShape& placed) {
   MaterialEntry& entry = *placed.state.material;
   MaterialDescription material = converted(entry, placed.where);
-  if (placed.alpha.factor < 1 || placed.alpha.texture.texture >= 0) {
-    material.alpha_mode = AlphaMode::kBlend;
-    material.alpha = placed.alpha;
-  }
   if (const auto& light = placed.state.area_light) {
     material.emission = light->radiance;
     material.emission_texture.texture = light->texture;
     material.emission_two_sided = light->two_sided;
+  }
+  if (placed.alpha.factor < 1 || placed.alpha.texture.texture >= 0) {
+    if (!material.emits()) {
+      material.alpha_mode = AlphaMode::kBlend;
+      material.alpha = placed.alpha;
+    } else if (placed.alpha.factor == 0) {
+      diagnostics_.warn(placed.where, "alpha of a shape that emits is left out: it is seen, and in pbrt shines unseen");
+    } else {
+      diagnostics_.warn(placed.where, "alpha of a shape that emits is left out: all of it is there, and shines");
+    }
   }
   const bool sphere = std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry);
   const bool turned = sphere && placed.state.reverse_orientation;
@@ -258,17 +267,60 @@ int Directives::place_material(const PlacedShape& placed) {
   return found->second;
 }
 
+// While the shutter is open; and tells of what the library cannot do.
+MovingTransform Directives::transform_of(const PlacedShape& placed, bool emits) {
+  constexpr double kMostShrinkage = 1e-3;  // by turns of 5 degrees
+  MovingTransform transform = placed.state.transform;
+  for (const Transform& end : {transform.start, transform.end}) {
+    if (!end.is_finite() || !end.is_invertible()) {
+      throw Error(placed.where,
+                  "the transform of this shape is singular or not finite; check the directives before it");
+    }
+    if (std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry) && uniform_scale(end) == 0) {
+      throw Error(placed.where,
+                  "this transform makes an ellipsoid of a sphere; scale alike in all axes, or use a mesh");
+    }
+  }
+  if (!transform.moves()) return transform;
+  if (emits) {
+    diagnostics_.warn(placed.where, "what emits does not move here; it stays where it starts");
+    return {transform.start, transform.start};
+  }
+  if (std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry)) {
+    // That a sphere turns is not seen; turning on straight lines would flatten it.
+    const double growth = uniform_scale(transform.end) / uniform_scale(transform.start);
+    for (int i = 0; i < 9; ++i) transform.end.m[i / 3][i % 3] = growth * transform.start.m[i / 3][i % 3];
+  }
+  transform = shape_in_shutter(transform, transform_times_, shutter_);
+  if (!transform.moves()) return transform;
+  if (rests_in_shutter(transform_times_, shutter_)) {
+    diagnostics_.warn(placed.where,
+                      "moves during a part of the exposure alone; here it moves as far, evenly, during all of it. Let "
+                      "TransformTimes be shutteropen and shutterclose of the Camera");
+  }
+  if (const double part = shrinkage(transform); part > kMostShrinkage) {
+    diagnostics_.warn(placed.where,
+                      "turns so far that it gets " + std::to_string(100 * part) +
+                          " % smaller on the way: its points move on straight lines here, not on circles");
+  }
+  return transform;
+}
+
 void Directives::place(const PlacedShape& placed) {
-  const Transform& transform = placed.state.transform;
-  if (!transform.is_finite() || !transform.is_invertible()) {
-    throw Error(placed.where, "the transform of this shape is singular or not finite; check the directives before it");
-  }
-  if (std::holds_alternative<SphereShape>(scene_.shapes[placed.shape].geometry) && uniform_scale(transform) == 0) {
-    throw Error(placed.where, "this transform makes an ellipsoid of a sphere; scale alike in all axes, or use a mesh");
-  }
+  const int material = place_material(placed);
+  const bool emits = scene_.materials[static_cast<std::size_t>(material)].emits();
+  const MovingTransform transform = transform_of(placed, emits);
   const std::string& label = scene_.shapes[static_cast<std::size_t>(placed.shape)].label;
-  scene_.instances.push_back({placed.shape, place_material(placed), transform.rows(), placed.where, label,
-                              scene_.instances.size(), std::filesystem::path(label).filename().string()});
+  InstanceDescription instance;
+  instance.shape = placed.shape;
+  instance.material = material;
+  instance.transform = transform.start.rows();
+  if (transform.moves()) instance.end_transform = transform.end.rows();
+  instance.where = placed.where;
+  instance.label = label;
+  instance.node = scene_.instances.size();
+  instance.node_name = std::filesystem::path(label).filename().string();
+  scene_.instances.push_back(std::move(instance));
 }
 
 void Directives::finish(const Location& end) {

@@ -9,9 +9,7 @@
 namespace bdpt_tool {
 namespace {
 
-// Below this, pbrt treats a surface as smooth; above, no axis goes below the second number.
-constexpr float kSmoothAlpha = 1e-3f;
-constexpr float kLeastAlpha = 1e-4f;
+constexpr float kLeastAlpha = 1e-4f;  // of one axis, where the other is not smooth
 
 float constant_float(const ParamList& params, const std::string& name, float fallback, TextureTable& textures) {
   const std::string texture = params.get_texture(name);
@@ -21,20 +19,57 @@ float constant_float(const ParamList& params, const std::string& name, float fal
   return value.constant[0];
 }
 
-// `prefix` is that of one of the two surfaces of a coated conductor.
-std::array<float, 2> roughness(const ParamList& params, TextureTable& textures, const std::string& prefix = "",
-                               float fallback = 0) {
-  const float both = constant_float(params, prefix + "roughness", fallback, textures);
-  std::array<float, 2> alpha = {constant_float(params, prefix + "uroughness", both, textures),
-                                constant_float(params, prefix + "vroughness", both, textures)};
-  const bool remap = params.get_bool("remaproughness", true);
-  for (float& a : alpha) {
-    if (a < 0) params.fail("a roughness below zero");
-    if (remap) a = std::sqrt(a);
-    if (a > 1) params.fail("a roughness above 1 is not known; use 1");
+// One number, or an image's times 1.
+struct Alpha {
+  float constant = 0;
+  TextureUse texture;
+
+  bool operator==(const Alpha&) const = default;
+};
+
+Alpha alpha(const ParamList& params, const std::string& name, const Alpha& fallback, bool remap,
+            TextureTable& textures) {
+  if (!params.has(name)) return fallback;
+  const std::string texture = params.get_texture(name);
+  float roughness = 0;
+  if (texture.empty()) {
+    roughness = params.get_float(name, 0);
+  } else {
+    const TextureValue value = textures.resolve_alpha(texture, params, remap);
+    if (value.is_image()) return {1, value.use};
+    roughness = value.constant[0];
   }
-  if (std::max(alpha[0], alpha[1]) < kSmoothAlpha) return {0, 0};
-  return {std::max(alpha[0], kLeastAlpha), std::max(alpha[1], kLeastAlpha)};
+  if (roughness < 0) params.fail("a roughness below zero");
+  const float alpha = remap ? std::sqrt(roughness) : roughness;
+  if (alpha > 1) params.fail("a roughness above 1 is not known; use 1");
+  return {alpha, {}};
+}
+
+// `prefix` is that of one of the two surfaces of a coated conductor. The library has one picture for both axes.
+void roughness(const ParamList& params, TextureTable& textures, Diagnostics& diagnostics, const std::string& prefix,
+               std::array<float, 2>& to, TextureUse& texture) {
+  const bool remap = params.get_bool("remaproughness", true);
+  const Alpha both = alpha(params, prefix + "roughness", {}, remap, textures);
+  std::array<Alpha, 2> axes = {alpha(params, prefix + "uroughness", both, remap, textures),
+                               alpha(params, prefix + "vroughness", both, remap, textures)};
+  to = {axes[0].constant, axes[1].constant};
+  if (axes[0] == axes[1] && axes[0].texture.texture >= 0) {
+    texture = axes[0].texture;
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (axes[i].texture.texture < 0) continue;
+    to[i] = textures.mean(axes[i].texture)[0];
+    diagnostics.warn(params.where(), params.directive() + ": " + prefix + (i == 0 ? "u" : "v") +
+                                         "roughness is a picture, and the other axis has another or none: the mean of "
+                                         "its alpha, " +
+                                         std::to_string(to[i]) + ", is taken");
+  }
+  if (std::max(to[0], to[1]) < kSmoothAlpha) {
+    to = {0, 0};
+  } else {
+    to = {std::max(to[0], kLeastAlpha), std::max(to[1], kLeastAlpha)};
+  }
 }
 
 void color(const ParamList& params, const std::string& name, float fallback, TextureTable& textures, Rgb& factor,
@@ -70,17 +105,30 @@ Rgb index_part(const ParamList& params, const std::string& name, const std::stri
   return params.get_rgb(name, {});
 }
 
-void conductor(const ParamList& params, MaterialDescription& material, const std::string& prefix = "") {
+// The index with eta = 1 that has this reflectance at normal incidence.
+void set_index(const Rgb& reflectance, MaterialDescription& material) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float r = std::clamp(reflectance[c], 0.0f, 0.9999f);
+    material.eta[c] = 1;
+    material.k[c] = 2 * std::sqrt(r) / std::sqrt(1 - r);
+  }
+}
+
+void conductor(const ParamList& params, TextureTable& textures, Diagnostics& diagnostics, const std::string& prefix,
+               MaterialDescription& material) {
   if (const Param* param = params.find("reflectance")) {
     if (params.has(prefix + "eta") || params.has(prefix + "k")) params.fail(*param, "and eta or k exclude each other");
-    if (param->type == "texture") params.fail(*param, "cannot be a texture yet; give it as rgb");
-    // The index with eta = 1 that has this reflectance at normal incidence.
-    const Rgb reflectance = params.get_rgb("reflectance", {});
-    for (int c = 0; c < 3; ++c) {
-      const float r = std::clamp(reflectance[c], 0.0f, 0.9999f);
-      material.eta[c] = 1;
-      material.k[c] = 2 * std::sqrt(r) / std::sqrt(1 - r);
+    reflectance(params, 0, textures, material);
+    Rgb color = material.reflectance;
+    if (material.reflectance_texture.texture >= 0) {
+      color = textures.mean(material.reflectance_texture);
+      if (material.type == BDPT_MATERIAL_COATED_CONDUCTOR) {
+        diagnostics.warn(param->where,
+                         params.directive() + ": of the metal's reflectance, a picture, the mean is taken");
+        material.reflectance_texture = {};
+      }
     }
+    set_index(color, material);
   } else {
     material.eta = index_part(params, prefix + "eta", "metal-Cu-eta");
     material.k = index_part(params, prefix + "k", "metal-Cu-k");
@@ -115,8 +163,8 @@ float dielectric_index(const ParamList& params, Diagnostics& diagnostics, const 
 }
 
 void coat(const ParamList& params, TextureTable& textures, Diagnostics& diagnostics, const std::string& prefix,
-          float roughness_fallback, CoatDescription& to) {
-  to.roughness = roughness(params, textures, prefix, roughness_fallback);
+          CoatDescription& to) {
+  roughness(params, textures, diagnostics, prefix, to.roughness, to.roughness_texture);
   to.ior = dielectric_index(params, diagnostics, prefix + "eta");
   to.thickness = constant_float(params, "thickness", 0.01f, textures);
   to.g = constant_float(params, "g", 0, textures);
@@ -164,24 +212,24 @@ MaterialDescription convert_material(const std::string& type, const ParamList& p
     reflectance(params, 0.5f, textures, material);
   } else if (type == "conductor") {
     material.type = BDPT_MATERIAL_CONDUCTOR;
-    conductor(params, material);
-    material.roughness = roughness(params, textures);
+    conductor(params, textures, diagnostics, "", material);
+    roughness(params, textures, diagnostics, "", material.roughness, material.roughness_texture);
   } else if (type == "dielectric") {
     material.type = BDPT_MATERIAL_DIELECTRIC;
     material.ior = dielectric_index(params, diagnostics);
-    material.roughness = roughness(params, textures);
+    roughness(params, textures, diagnostics, "", material.roughness, material.roughness_texture);
   } else if (type == "thindielectric") {
     material.type = kMaterialThinDielectric;
     material.ior = dielectric_index(params, diagnostics);
   } else if (type == "coateddiffuse") {
     material.type = BDPT_MATERIAL_COATED_DIFFUSE;
     reflectance(params, 0.5f, textures, material);
-    coat(params, textures, diagnostics, "", 0, material.coat);
+    coat(params, textures, diagnostics, "", material.coat);
   } else if (type == "coatedconductor") {
     material.type = BDPT_MATERIAL_COATED_CONDUCTOR;
-    conductor(params, material, "conductor.");
-    material.roughness = roughness(params, textures, "conductor.");
-    coat(params, textures, diagnostics, "interface.", 0, material.coat);
+    conductor(params, textures, diagnostics, "conductor.", material);
+    roughness(params, textures, diagnostics, "conductor.", material.roughness, material.roughness_texture);
+    coat(params, textures, diagnostics, "interface.", material.coat);
   } else if (type == "diffusetransmission") {
     material.type = BDPT_MATERIAL_DIFFUSE_TRANSMISSION;
     diffuse_transmission(params, textures, material);

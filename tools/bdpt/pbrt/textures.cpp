@@ -47,6 +47,14 @@ void average_channels(Image& image) {
   }
 }
 
+Rgb mean_of(const Image& image) {
+  std::array<double, 3> sum = {};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) sum[i % 3] += static_cast<double>(image.pixels[i]);
+  Rgb mean;
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / (double(image.pixels.size()) / 3));
+  return mean;
+}
+
 }  // namespace
 
 void TextureTable::define(const std::string& name, const std::string& kind, bool is_float, ParamList params) {
@@ -170,21 +178,27 @@ AnyImage TextureTable::texels(const Source& source) const {
   for (std::size_t i = 0; i < linear.pixels.size(); ++i) {
     float& x = linear.pixels[i];
     if (!std::isfinite(x)) throw Error(source.where, "'" + source.path + "' has a texel that is not finite");
-    x = std::clamp(x * source.gain[i % 3] + source.offset[i % 3], 0.0f, 1.0f);
+    x = x * source.gain[i % 3] + source.offset[i % 3];
+    if (source.curve != Curve::kNone) {
+      if (source.curve == Curve::kRemappedAlpha) x = std::sqrt(std::max(x, 0.0f));
+      if (x < kSmoothAlpha) x = 0;
+      if (x > 1) diagnostics_.warn(source.where, "texels of a roughness above 1 become 1");
+    }
+    x = std::clamp(x, 0.0f, 1.0f);
   }
   return linear;
 }
 
 int TextureTable::load(const Source& source) {
   const SourceKey key(source.path, source.exponent, source.gain, source.offset, source.is_float, source.nearest,
-                      source.wrap);
+                      source.curve, source.wrap);
   const auto found = loaded_.find(key);
   if (found != loaded_.end()) return found->second;
   TextureDescription texture;
   texture.label = std::filesystem::path(source.path).filename().string();
   texture.where = source.where;
   texture.image = texels(source);
-  texture.exponent = source.exponent;
+  texture.exponent = source.is_float ? 1 : source.exponent;
   texture.wrap = source.wrap;
   texture.nearest = source.nearest;
   scene_.textures.push_back(std::move(texture));
@@ -192,7 +206,22 @@ int TextureTable::load(const Source& source) {
 }
 
 TextureValue TextureTable::resolve(const std::string& name, const ParamList& user) {
-  const Source source = source_of(name, user, 0);
+  return value_of(source_of(name, user, 0));
+}
+
+TextureValue TextureTable::resolve_alpha(const std::string& name, const ParamList& user, bool remap) {
+  Source source = source_of(name, user, 0);
+  source.curve = remap ? Curve::kRemappedAlpha : Curve::kAlpha;
+  if (source.is_image()) source.is_float = true;
+  return value_of(source);
+}
+
+Rgb TextureTable::mean(const TextureUse& use) const {
+  const TextureDescription& texture = scene_.textures[static_cast<std::size_t>(use.texture)];
+  return mean_of(to_linear(texture.image, texture.exponent));
+}
+
+TextureValue TextureTable::value_of(const Source& source) {
   if (!source.is_image()) return {source.offset, {}};
   TextureValue value;
   value.use = source.use;

@@ -13,6 +13,9 @@
 
 namespace bdpt_tool {
 
+// Below this alpha pbrt treats a surface as smooth.
+constexpr float kSmoothAlpha = 1e-3f;
+
 // What a texture comes to: one value everywhere, or the texels of an image.
 struct TextureValue {
   Rgb constant = {1, 1, 1};
@@ -32,10 +35,17 @@ class TextureTable {
 
   // `user` is the parameter list that names the texture.
   TextureValue resolve(const std::string& name, const ParamList& user);
+  // A roughness: GGX's alpha, once it is remapped by the square root where that is asked for. Of an image the texels
+  // are alphas.
+  TextureValue resolve_alpha(const std::string& name, const ParamList& user, bool remap);
+  // Of the texels that a use looks up.
+  Rgb mean(const TextureUse& use) const;
   // A file of linear numbers, such as a map of normals.
   int linear_image(const std::string& file, const Location& where);
 
  private:
+  // What becomes of a number once it is looked up.
+  enum class Curve { kNone, kAlpha, kRemappedAlpha };
   struct Definition {
     std::string kind;
     bool is_float = false;
@@ -48,6 +58,7 @@ class TextureTable {
     float exponent = 0;
     Rgb gain = {0, 0, 0}, offset = {0, 0, 0};
     bool is_float = false, nearest = false;
+    Curve curve = Curve::kNone;
     std::array<Wrap, 2> wrap = {Wrap::kRepeat, Wrap::kRepeat};
     TextureUse use;
     std::array<Rgb, 2> checks = {};  // of a chequerboard
@@ -64,13 +75,14 @@ class TextureTable {
   void read_mapping(const ParamList& params, double size, TextureUse& use) const;
   AnyImage texels(const Source& source) const;
   int load(const Source& source);
+  TextureValue value_of(const Source& source);
 
   SceneDescription& scene_;
   Diagnostics& diagnostics_;
   const SceneFolder& folder_;
   bool warned_of_filter_ = false;
   std::map<std::string, Definition> definitions_;
-  using SourceKey = std::tuple<std::string, float, Rgb, Rgb, bool, bool, std::array<Wrap, 2>>;
+  using SourceKey = std::tuple<std::string, float, Rgb, Rgb, bool, bool, Curve, std::array<Wrap, 2>>;
   std::map<SourceKey, int> loaded_;
 };
 
