@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/memory.h"
+#include "geometry/curves.h"
 #include "geometry/mesh.h"
 #include "geometry/opacity.h"
 #include "math/transform.h"
@@ -24,8 +25,8 @@ inline constexpr uint32_t kMiss = ~0u;
 
 struct Hit {
   uint32_t instance = kMiss;  // index into the scene's instances
-  uint32_t primitive = 0;     // triangle of the mesh
-  float u = 0, v = 0;         // barycentric coordinates of the triangle's second and third vertex
+  uint32_t primitive = 0;     // triangle of the mesh, or segment of the curves
+  float u = 0, v = 0;         // barycentric coordinates of the triangle's second and third vertex; u along the segment
   float t = 0;
   float time = 0;  // the ray's
 };
@@ -51,10 +52,11 @@ class RayDevice {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// What one instance gives to the ray queries; neither mesh nor sphere: nothing.
+// What one instance gives to the ray queries; none of the three: nothing.
 struct RayGeometry {
-  const Mesh* mesh = nullptr;  // or
-  const Sphere* sphere = nullptr;
+  const Mesh* mesh = nullptr;      // or
+  const Sphere* sphere = nullptr;  // or
+  const Curves* curves = nullptr;  // always instanced
   Transform transform;             // object to world
   const Transform* end = nullptr;  // the same at time 1, of what moves
   // World positions, padded by 16 bytes, when the mesh is placed only once and is therefore not instanced.
