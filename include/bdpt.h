@@ -393,6 +393,49 @@ typedef struct bdpt_curves_desc {
  * Source: Embree's round curves; the normal with the curvature of the axis, which theirs leaves out. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_curves_add(bdpt_builder *builder, const bdpt_curves_desc *desc, bdpt_shape_id *shape);
 
+typedef int32_t bdpt_boundary;
+#define BDPT_BOUNDARY_SMOOTH 0      /* boundaries are smooth curves, round at their corners */
+#define BDPT_BOUNDARY_PIN_CORNERS 1 /* smooth, but for corners of one face, which stay where they are */
+#define BDPT_BOUNDARY_PIN 2         /* all of the boundary stays where it is */
+
+/* Displaces `count` places of a surface: packed arrays of positions, unit normals and texture coordinates come in, three,
+ * three and two floats each; displaced comes as the positions, and is what they become. Called on the calling thread, for
+ * some thousands of places at a time; each place is asked for once. Zero goes on; another value stops the call. */
+typedef int32_t (*bdpt_displace_fn)(void *user, uint64_t count, const float *positions, const float *normals, const float *uv,
+                                    float *displaced);
+
+/* A Catmull-Clark surface. Its front is the side from which faces turn counter-clockwise. */
+typedef struct bdpt_subdivision_desc {
+  uint32_t struct_size;
+  uint32_t level;           /* segments that each edge of a face is cut into, 1 to 64; even if faces have other than 4 corners */
+  const char *label;
+  bdpt_data positions;      /* FLOAT3, required, finite */
+  bdpt_data face_counts;    /* UINT32: corners of each face, 3 to 15; absent = 4 each */
+  bdpt_data indices;        /* UINT32, required: the position of each corner, face after face */
+  bdpt_data uv;             /* FLOAT2: set 0, linear on each face; absent = none */
+  bdpt_data uv_indices;     /* UINT32, as many as indices: the uv of each corner; absent = there is one for each position */
+  bdpt_data crease_edges;   /* UINT32, two positions for each edge that is a crease; each edge once */
+  bdpt_data crease_weights; /* FLOAT1, one for each: for so many steps of subdivision it is sharp; infinity = for ever */
+  bdpt_data corners;        /* UINT32: positions that are sharp; each once */
+  bdpt_data corner_weights; /* FLOAT1, one for each, as of creases */
+  bdpt_boundary boundary;
+  uint32_t reserved;
+  bdpt_displace_fn displace; /* may be NULL */
+  void *user;                /* for displace */
+} bdpt_subdivision_desc;
+
+/* Adds a subdivision surface as a mesh of points of its limit, so all that meshes can do, it can: 2 level^2 triangles for a
+ * face of 4 corners, n level^2 / 2 for one of n. The mesh is closed where the faces are; displacement moves what faces
+ * share once, by the texture coordinates that it has on the first of them. Normals are the limit's, and those of the
+ * triangles, averaged, where it is displaced; a crease of less than 2.6 degrees is smooth. Close to a sharp edge the limit
+ * is exact to a thousandth of the face.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (missing, misaligned or non-finite data, counts that do not add up, index out of range,
+ * level, an edge with more than two faces or with two that turn differently, faces that share a position and no edge, more
+ * than 60 faces at a position), _CALLBACK_FAILED (also if positions are not finite), _MEMORY_LIMIT, _OUT_OF_MEMORY.
+ * Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies, borrowed data too.
+ * Source: Catmull and Clark (1978), by Embree. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_subdivision_add(bdpt_builder *builder, const bdpt_subdivision_desc *desc, bdpt_shape_id *shape);
+
 /* Removes a shape that no instance uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: the builder's share of the data ends. */
