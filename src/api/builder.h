@@ -4,6 +4,7 @@
 #include "api/busy.h"
 #include "api/handles.h"
 #include "api/table.h"
+#include "geometry/curves.h"
 #include "geometry/mesh.h"
 #include "geometry/texture.h"
 #include "light/light_desc.h"
@@ -22,7 +23,9 @@ struct ShapeEntry {
   Vec3 extent{0, 0, 0};  // the greatest absolute coordinate along each axis
   uint64_t users = 0;
   bool is_sphere() const { return shape.sphere != nullptr; }
-  const std::string& label() const { return shape.mesh ? shape.mesh->label : shape.sphere->label; }
+  const std::string& label() const {
+    return shape.mesh ? shape.mesh->label : shape.curves ? shape.curves->label : shape.sphere->label;
+  }
 };
 
 struct TextureEntry {
@@ -53,7 +56,7 @@ struct LightEntry {
 
 struct InstanceEntry {
   std::string label;
-  uint64_t shape = 0, material = 0;  // ids
+  uint64_t shape = 0, material = 0;    // ids
   Transform transform = {}, end = {};  // end: at time 1, of what moves
   bool moves = false;
   bool invisible = false;

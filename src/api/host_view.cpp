@@ -9,7 +9,7 @@ struct Format {
   uint32_t size, alignment;
 };
 
-constexpr Format kFormats[] = {{0, 1}, {8, 4}, {12, 4}, {6, 2}, {12, 4}, {16, 4}};
+constexpr Format kFormats[] = {{0, 1}, {8, 4}, {12, 4}, {6, 2}, {12, 4}, {16, 4}, {4, 4}, {4, 4}};
 constexpr uint64_t kPadding = 16;
 // Primitives and vertices are counted in 32 bits, and the last number means none.
 constexpr uint64_t kMaxCount = 0xFFFFFFFEu;
@@ -20,11 +20,12 @@ constexpr uint64_t kMaxStride = uint64_t(1) << 24;
 
 HostView read_view(const Subject& subject, const char* field, const bdpt_data& data, uint32_t formats) {
   const auto name = [&](const char* member) { return std::string(field) + '.' + member; };
-  subject.check_enum(name("format").c_str(), data.format, BDPT_FORMAT_FLOAT4);
+  subject.check_enum(name("format").c_str(), data.format, BDPT_FORMAT_UINT32);
   subject.check_enum(name("ownership").c_str(), data.ownership, BDPT_OWNERSHIP_BORROW);
   if (data.count == 0) return {};
   if (!(formats >> data.format & 1u))
-    subject.refuse(name("format").c_str(), "is ", data.format, ": the array holds something else; see bdpt_mesh_desc");
+    subject.refuse(name("format").c_str(), "is ", data.format,
+                   ": the array holds something else; see the description of the struct");
   const Format format = kFormats[data.format];
   if (data.count > kMaxCount) subject.refuse(name("count").c_str(), "is ", data.count, ": give at most ", kMaxCount);
   if (!data.data) subject.refuse(name("data").c_str(), "is NULL for ", data.count, " elements: pass the array");
@@ -61,7 +62,7 @@ Triangle read_triangle(const HostView& indices, uint64_t i) {
 }
 
 void check_finite_view(const Subject& subject, const char* field, const HostView& view) {
-  const int n = view.format == BDPT_FORMAT_FLOAT2 ? 2 : view.format == BDPT_FORMAT_FLOAT4 ? 4 : 3;
+  const int n = int(kFormats[view.format].size / sizeof(float));
   for (uint64_t i = 0; i < view.count; ++i) {
     float v[4];
     std::memcpy(v, view.data + i * view.stride, sizeof(float) * size_t(n));

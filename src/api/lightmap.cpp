@@ -35,7 +35,8 @@ LightmapInstance read_instance(const bdpt_lightmap_instance& desc, uint32_t numb
   const std::string& label = scene.instance_label(index);
   const std::string told = label.empty() ? name : name + ", \"" + label + '"';
   const Mesh* mesh = scene.mesh(index);
-  if (!mesh) fail(ErrorCode::InvalidArgument, told, " is a sphere, which has no texture coordinates: give meshes");
+  if (!mesh)
+    fail(ErrorCode::InvalidArgument, told, " is a sphere or of curves, which have no texture coordinates: give meshes");
   subject.check_range("uv_set", desc.uv_set, 0, 1);
   subject.check_range("atlas", desc.atlas, 0, size.count - 1);
   subject.check_flag("flip", desc.flip);

@@ -198,6 +198,7 @@ bdpt_result bdpt_scene_get_info(const bdpt_scene* scene, bdpt_scene_info* info) 
     result.memory = from.memory;
     result.memory_embree = from.memory_embree;
     result.hash = from.hash;
+    result.curves = from.curves;
     for (int axis = 0; axis < 3; ++axis) {
       result.bounds_min[axis] = from.bounds_min[axis];
       result.bounds_max[axis] = from.bounds_max[axis];

@@ -1,7 +1,9 @@
 #include "api/builder.h"
 #include "api/check.h"
+#include "api/curves_data.h"
 #include "api/desc.h"
 #include "api/mesh_data.h"
+#include "api/subdivision_data.h"
 
 using namespace bdpt;
 
@@ -13,6 +15,13 @@ Vec3 extent_of(const Mesh& mesh) {
     const Vec3 p = mesh.positions[i];
     for (int axis = 0; axis < 3; ++axis) extent[axis] = std::max(extent[axis], std::fabs(p[axis]));
   }
+  return extent;
+}
+
+Vec3 extent_of(const Curves& curves) {
+  Vec3 extent;
+  for (int axis = 0; axis < 3; ++axis)
+    extent[axis] = curves.unit * std::max(std::fabs(curves.box.low[axis]), std::fabs(curves.box.high[axis]));
   return extent;
 }
 
@@ -34,6 +43,12 @@ void report_degenerate(const Log& log, const Mesh& mesh) {
               mesh.degenerate + mesh.triangles.size(), " triangles have no area and were dropped");
 }
 
+void report_dropped(const Log& log, const Curves& curves) {
+  if (curves.dropped == 0) return;
+  log.warning(Subject("curves", curves.label.c_str()).name(), ": ", curves.dropped,
+              " segments have no length or no radius and were dropped");
+}
+
 }  // namespace
 
 bdpt_result bdpt_mesh_add(bdpt_builder* builder, const bdpt_mesh_desc* desc, bdpt_shape_id* shape) {
@@ -52,6 +67,23 @@ bdpt_result bdpt_mesh_add(bdpt_builder* builder, const bdpt_mesh_desc* desc, bdp
   });
 }
 
+bdpt_result bdpt_subdivision_add(bdpt_builder* builder, const bdpt_subdivision_desc* desc, bdpt_shape_id* shape) {
+  return guard(__func__, [&] {
+    const SubdivisionReleases releases(desc);
+    reset_output(shape);
+    bdpt_builder& b = writable(builder);
+    const bdpt_subdivision_desc d = read_struct(desc, "desc");
+    require(shape, "shape");
+    const Busy::Mark mark(b.busy);
+    ShapeEntry entry;
+    entry.shape.mesh = read_subdivision(d, *b.context->device, b.context->meter);
+    entry.extent = extent_of(*entry.shape.mesh);
+    const std::shared_ptr<const Mesh> mesh = entry.shape.mesh;
+    shape->id = b.shapes.add(std::move(entry));
+    report_degenerate(*b.context->log, *mesh);
+  });
+}
+
 bdpt_result bdpt_sphere_add(bdpt_builder* builder, const bdpt_sphere_desc* desc, bdpt_shape_id* shape) {
   return guard(__func__, [&] {
     reset_output(shape);
@@ -59,6 +91,22 @@ bdpt_result bdpt_sphere_add(bdpt_builder* builder, const bdpt_sphere_desc* desc,
     const bdpt_sphere_desc d = read_struct(desc, "desc");
     require(shape, "shape");
     shape->id = b.shapes.add(read_sphere(d));
+  });
+}
+
+bdpt_result bdpt_curves_add(bdpt_builder* builder, const bdpt_curves_desc* desc, bdpt_shape_id* shape) {
+  return guard(__func__, [&] {
+    const CurvesReleases releases(desc);
+    reset_output(shape);
+    bdpt_builder& b = writable(builder);
+    const bdpt_curves_desc d = read_struct(desc, "desc");
+    require(shape, "shape");
+    ShapeEntry entry;
+    entry.shape.curves = read_curves(d, b.context->meter);
+    entry.extent = extent_of(*entry.shape.curves);
+    const std::shared_ptr<const Curves> curves = entry.shape.curves;
+    shape->id = b.shapes.add(std::move(entry));
+    report_dropped(*b.context->log, *curves);
   });
 }
 

@@ -26,7 +26,7 @@ std::vector<ReceivingInstance> read_instances(const Subject& subject, const bdpt
     Subject(name.c_str(), nullptr).check_flag("flip", d.flip);
     const uint32_t index = named.find(name, d.instance.id);
     const Mesh* mesh = scene.mesh(index);
-    if (!mesh) fail(ErrorCode::InvalidArgument, name, " is a sphere, which has no vertices: give meshes");
+    if (!mesh) fail(ErrorCode::InvalidArgument, name, " is a sphere or of curves, which have no vertices: give meshes");
     named.take(subject, index, i, "give it once");
     vertices += mesh->positions.size();
     instances.push_back({index, d.flip != 0});

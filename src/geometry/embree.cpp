@@ -133,12 +133,22 @@ RayDevice::~RayDevice() {
 
 Isa RayDevice::isa() const { return implementation_->isa; }
 uint32_t RayDevice::version() { return RTC_VERSION_MAJOR * 10000 + RTC_VERSION_MINOR * 100 + RTC_VERSION_PATCH; }
+RTCDeviceTy* RayDevice::embree() const { return implementation_->device; }
+
+void RayDevice::check_refused(int error) const {
+  auto& d = *implementation_;
+  if (d.over_limit.exchange(false))
+    fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
+         " bytes");
+  if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+}
+
 uint64_t RayDevice::memory() const { return uint64_t(std::max<int64_t>(0, implementation_->bytes.load())); }
 
 struct RayScene::Implementation {
   std::shared_ptr<const RayDevice> device;
   RTCScene scene = nullptr;
-  std::vector<RTCScene> instanced;          // one for each mesh that several instances share
+  std::vector<RTCScene> instanced;          // one for each mesh or curves that instances share
   std::vector<const OpacityTest*> opacity;  // by instance; empty where all are there everywhere
   bool numbers_rays = false;                // something is there in part
   const std::function<bool(double)>* progress = nullptr;
@@ -159,11 +169,7 @@ struct RayScene::Implementation {
 
   // What Embree refused to make: at the host's limit, or without memory.
   [[noreturn]] void fail_refused(RTCError error) {
-    auto& d = device->implementation();
-    if (d.over_limit.exchange(false))
-      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
-           " bytes");
-    if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+    device->check_refused(error);
     fail(ErrorCode::Internal, "Embree reports error ", int(error), " while building");
   }
 
@@ -211,7 +217,7 @@ struct RayScene::Implementation {
     }
   }
 
-  // A mesh that instances share is asked for as soon as one of them is not there everywhere.
+  // What instances share is asked for as soon as one of them is not there everywhere.
   void ask(RTCGeometry g) {
     rtcSetGeometryUserData(g, this);
     rtcSetGeometryIntersectFilterFunction(g, filter);
@@ -224,6 +230,18 @@ struct RayScene::Implementation {
                                positions.size());
     rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, indices.data(), 0, indices.stride(),
                                indices.size());
+    return g;
+  }
+
+  RTCGeometry round_curves(const Curves& c) {
+    constexpr RTCGeometryType kTypes[] = {RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE, RTC_GEOMETRY_TYPE_ROUND_BEZIER_CURVE,
+                                          RTC_GEOMETRY_TYPE_ROUND_BSPLINE_CURVE,
+                                          RTC_GEOMETRY_TYPE_ROUND_CATMULL_ROM_CURVE};
+    RTCGeometry g = new_geometry(kTypes[int(c.basis)]);
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, c.points.data(), 0,
+                               sizeof(ControlPoint), c.points.size());
+    rtcSetSharedGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, c.segments.data(), 0, sizeof(CurveSegment),
+                               c.segments.size());
     return g;
   }
 
@@ -273,25 +291,26 @@ RayScene::RayScene(std::shared_ptr<const RayDevice> device, const std::vector<Ra
       i.opacity.push_back(g.opacity);
       i.numbers_rays = i.numbers_rays || (g.opacity && g.opacity->opacity.mode == Opacity::Mode::Blend);
     }
-  std::unordered_set<const Mesh*> asked;
+  const auto shape_of = [](const RayGeometry& g) { return g.mesh ? static_cast<const void*>(g.mesh) : g.curves; };
+  std::unordered_set<const void*> asked;
   for (const RayGeometry& g : geometries)
-    if (g.opacity) asked.insert(g.mesh);
-  std::unordered_map<const Mesh*, RTCScene> shared;
+    if (g.opacity) asked.insert(shape_of(g));
+  std::unordered_map<const void*, RTCScene> shared;
   for (uint32_t id = 0; id < geometries.size(); ++id) {
     const RayGeometry& g = geometries[id];
     if (g.sphere) {
       i.attach(i.sphere(*g.sphere, g.transform, g.end), id, g.opacity);
-    } else if (!g.mesh) {
+    } else if (!g.mesh && !g.curves) {
       continue;
-    } else if (!g.instanced) {
+    } else if (g.mesh && !g.instanced) {
       i.attach(i.triangles(g.world_positions, g.mesh->triangles), id, g.opacity);
     } else {
-      RTCScene& s = shared[g.mesh];
+      RTCScene& s = shared[shape_of(g)];
       if (!s) {
         s = i.new_scene();
         i.instanced.push_back(s);
-        RTCGeometry t = i.triangles(g.world_positions, g.mesh->triangles);
-        if (asked.count(g.mesh)) i.ask(t);
+        RTCGeometry t = g.mesh ? i.triangles(g.world_positions, g.mesh->triangles) : i.round_curves(*g.curves);
+        if (asked.count(shape_of(g))) i.ask(t);
         rtcCommitGeometry(t);
         rtcAttachGeometry(s, t);
         rtcReleaseGeometry(t);

@@ -1,7 +1,9 @@
-// The ray queries. This pair of files is the only one that knows Embree, and hides which of 3.13 and 4 it is.
+// The ray queries. This pair of files and limit_surface.* are the only ones that know Embree, and hide which of 3.13
+// and 4 it is.
 #pragma once
 
 #include "base/memory.h"
+#include "geometry/curves.h"
 #include "geometry/mesh.h"
 #include "geometry/opacity.h"
 #include "math/transform.h"
@@ -10,6 +12,8 @@
 #include <functional>
 #include <memory>
 #include <vector>
+
+struct RTCDeviceTy;
 
 namespace bdpt {
 
@@ -24,8 +28,8 @@ inline constexpr uint32_t kMiss = ~0u;
 
 struct Hit {
   uint32_t instance = kMiss;  // index into the scene's instances
-  uint32_t primitive = 0;     // triangle of the mesh
-  float u = 0, v = 0;         // barycentric coordinates of the triangle's second and third vertex
+  uint32_t primitive = 0;     // triangle of the mesh, or segment of the curves
+  float u = 0, v = 0;         // barycentric coordinates of the triangle's second and third vertex; u along the segment
   float t = 0;
   float time = 0;  // the ray's
 };
@@ -44,6 +48,10 @@ class RayDevice {
   static uint32_t version();  // 10000 major + 100 minor + patch
   uint64_t memory() const;    // bytes Embree holds now
 
+  RTCDeviceTy* embree() const;
+  // Throws if it has refused memory, or if error (an RTCError) says that there is none.
+  void check_refused(int error) const;
+
   struct Implementation;
   Implementation& implementation() const { return *implementation_; }
 
@@ -51,10 +59,11 @@ class RayDevice {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// What one instance gives to the ray queries; neither mesh nor sphere: nothing.
+// What one instance gives to the ray queries; none of the three: nothing.
 struct RayGeometry {
-  const Mesh* mesh = nullptr;  // or
-  const Sphere* sphere = nullptr;
+  const Mesh* mesh = nullptr;      // or
+  const Sphere* sphere = nullptr;  // or
+  const Curves* curves = nullptr;  // always instanced
   Transform transform;             // object to world
   const Transform* end = nullptr;  // the same at time 1, of what moves
   // World positions, padded by 16 bytes, when the mesh is placed only once and is therefore not instanced.

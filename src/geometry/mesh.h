@@ -84,10 +84,13 @@ struct Sphere {
   float radius = 1;
 };
 
-// A shape is one of the two.
+struct Curves;
+
+// A shape is one of the three.
 struct Shape {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Sphere> sphere;
+  std::shared_ptr<const Curves> curves = nullptr;
 };
 
 // Texture coordinates of a sphere where its normal, in object space, is this (unit): u is the angle from x towards y,

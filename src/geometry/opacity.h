@@ -4,6 +4,7 @@
 // each ray, by a hash of the ray and the primitive: whatever the order in which the ray finds its hits.
 #pragma once
 
+#include "geometry/curves.h"
 #include "geometry/mesh.h"
 #include "geometry/texture.h"
 #include "math/transform.h"
@@ -36,17 +37,19 @@ struct Opacity {
 struct OpacityTest {
   Opacity opacity;
   const Texture* texture = nullptr;
-  const Mesh* mesh = nullptr;  // nullptr: a sphere
-  Transform transform, end;    // object to world, at time 0 and 1
+  const Mesh* mesh = nullptr;      // or
+  const Curves* curves = nullptr;  // or a sphere
+  Transform transform, end;        // object to world, at time 0 and 1
 
-  // At barycentric coordinates u and v of a triangle, or where a sphere has the normal ng, of any length, in the world.
-  // chance: uniform in [0,1).
+  // At barycentric coordinates u and v of a triangle, at u of a curve's segment, or where a sphere has the normal ng,
+  // of any length, in the world. chance: uniform in [0,1).
   bool is_there(uint32_t primitive, float u, float v, const Vec3& ng, float time, float chance) const {
     float value = opacity.value;
     if (mesh && !mesh->colors.empty()) value *= mesh->color(primitive, u, v)[3];
     if (texture) {
-      const Vec2 uv = mesh ? mesh->uv_at(opacity.uv.set, primitive, u, v)
-                           : uv_of_sphere(unit(between(transform, end, time).transposed(ng)));
+      const Vec2 uv = mesh     ? mesh->uv_at(opacity.uv.set, primitive, u, v)
+                      : curves ? Vec2(curves->along(primitive, u), 0)
+                               : uv_of_sphere(unit(between(transform, end, time).transposed(ng)));
       value *= texture->lookup(opacity.uv(uv), opacity.sampler)[opacity.channel];
     }
     return opacity.mode == Opacity::Mode::Mask ? value >= opacity.cutoff : chance < value;

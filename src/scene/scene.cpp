@@ -69,6 +69,8 @@ uint64_t hash_scene(const SceneDesc& desc) {
   for (const Shape& s : desc.shapes) {
     if (s.mesh) {
       h = hash_combine(h, s.mesh->content_hash);
+    } else if (s.curves) {
+      h = hash_combine(h, s.curves->content_hash);
     } else {
       add(s.sphere->center);
       add(s.sphere->radius);
@@ -158,8 +160,8 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (size_t i = 0; i < instances_.size(); ++i) {
     const Instance& instance = instances_[i];
     if (desc_.instances[i].invisible) continue;
-    geometries[i] = {instance.mesh, instance.sphere,       instance.transform, instance.end, instance.world_positions,
-                     false,         opacity_test(instance)};
+    geometries[i] = {instance.mesh, instance.sphere,          instance.curves, instance.transform,
+                     instance.end,  instance.world_positions, false,           opacity_test(instance)};
     if (instance.mesh && instance.world_positions.empty()) {
       geometries[i].instanced = true;
       geometries[i].world_positions = object_positions(*instance.mesh);
@@ -168,8 +170,10 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   rays_ = std::make_unique<RayScene>(device, geometries, progress);
   info_.memory_embree = device->memory() > before ? device->memory() - before : 0;
   info_.memory = info_.memory_embree + booking_.bytes() + light_booking_.bytes();
-  for (const Shape& s : desc_.shapes)
+  for (const Shape& s : desc_.shapes) {
     if (s.mesh) info_.memory += s.mesh->memory;
+    if (s.curves) info_.memory += s.curves->memory();
+  }
   for (const auto& t : desc_.textures)
     if (t) info_.memory += t->memory();
   info_.instances = instances_.size();
@@ -198,8 +202,9 @@ const OpacityTest* Scene::opacity_test(const Instance& instance) {
   const Opacity& opacity = instance.material->opacity;
   if (opacity.mode == Opacity::Mode::Opaque) return nullptr;
   const Texture* texture = opacity.texture < 0 ? nullptr : desc_.textures[size_t(opacity.texture)].get();
-  opacity_tests_.push_back(std::make_unique<const OpacityTest>(OpacityTest{
-      opacity, texture, instance.mesh, instance.transform, instance.end ? *instance.end : instance.transform}));
+  opacity_tests_.push_back(std::make_unique<const OpacityTest>(
+      OpacityTest{opacity, texture, instance.mesh, instance.curves, instance.transform,
+                  instance.end ? *instance.end : instance.transform}));
   return opacity_tests_.back().get();
 }
 
@@ -238,7 +243,7 @@ bool Scene::varies(const MaterialDesc& material) const {
 
 void Scene::place_instances() {
   const std::vector<int> uses = uses_of_shapes();
-  for (const InstanceDesc& d : desc_.instances) {
+  for (InstanceDesc& d : desc_.instances) {
     Instance instance;
     const Shape& shape = desc_.shapes[size_t(d.shape)];
     instance.material = &desc_.materials[size_t(d.material)];
@@ -263,6 +268,14 @@ void Scene::place_instances() {
         world.resize(world.size() + 2);
         instance.world_positions = View<Vec3>(world.data(), instance.mesh->positions.size(), sizeof(Vec3));
       }
+    } else if (shape.curves) {
+      check_curves(d);
+      instance.curves = shape.curves.get();
+      info_.curves += instance.curves->segments.size();
+      info_.degenerate += instance.curves->dropped;
+      d.transform = in_unit(d.transform, instance.curves->unit);
+      d.end = in_unit(d.end, instance.curves->unit);
+      if (d.moves) instance.end = &d.end;
     } else {
       instance.sphere = shape.sphere.get();
       if (d.moves) instance.end = &d.end;
@@ -327,6 +340,11 @@ void Scene::collect_lights() {
       if (instance.end) {
         const Instance there = instance.at(1);
         box.grow(there.center, there.radius);
+      }
+    } else if (instance.curves) {
+      for (const Vec3& corner : instance.curves->box.corners()) {
+        box.grow(instance.transform.point(corner));
+        if (instance.end) box.grow(instance.end->point(corner));
       }
     } else if (!instance.world_positions.empty()) {
       box.grow(box_of(*instance.mesh, instance.world_positions));
@@ -432,7 +450,8 @@ bool Scene::surface_of(const Instance& instance, const Ray& ray, const Hit& hit,
   s.light = instance.light;
   s.primitive = hit.primitive;
   s.reflectance = instance.material->reflectance;
-  if (!instance.sphere) return triangle_surface(instance, hit.primitive, hit.u, hit.v, s);
+  if (instance.mesh) return triangle_surface(instance, hit.primitive, hit.u, hit.v, s);
+  if (instance.curves) return curve_surface(instance, ray, hit, s);
   const Vec3 n = ray.origin + ray.direction * hit.t - instance.center;
   const float n2 = length_squared(n);
   if (!(n2 > 0)) return false;

@@ -26,11 +26,11 @@ struct Surface {
   Rgb reflectance;
   const Material* material = nullptr;  // the scene's, or by shade() a copy of its own
   int light = -1;                      // index of the area light this instance is, or -1
-  uint32_t primitive = 0;              // triangle of the mesh
+  uint32_t primitive = 0;              // triangle of the mesh, or segment of the curves
 };
 
 struct SceneInfo {
-  uint64_t instances = 0, triangles = 0, spheres = 0, degenerate = 0;
+  uint64_t instances = 0, triangles = 0, spheres = 0, curves = 0, degenerate = 0;
   uint64_t memory = 0, memory_embree = 0, hash = 0;
   Vec3 bounds_min, bounds_max;
   bool has_specular = false;  // some material, somewhere
@@ -86,7 +86,7 @@ class Scene {
   bool is_solid(uint32_t instance) const {
     return !desc_.instances[instance].invisible && instances_[instance].material->opacity.mode == Opacity::Mode::Opaque;
   }
-  const Mesh* mesh(uint32_t instance) const { return instances_[instance].mesh; }  // nullptr for a sphere
+  const Mesh* mesh(uint32_t instance) const { return instances_[instance].mesh; }  // nullptr for the others
   double triangle_area(uint32_t instance, uint32_t primitive) const;               // in the world
   // The geometry at a point of a mesh; false where it is too degenerate to have a normal.
   bool point(uint32_t instance, uint32_t primitive, float u, float v, Surface& surface) const {
@@ -106,6 +106,7 @@ class Scene {
   struct Instance {
     const Mesh* mesh = nullptr;
     const Sphere* sphere = nullptr;
+    const Curves* curves = nullptr;  // transform is from their unit
     const MaterialDesc* material = nullptr;
     bool is_plain = true;  // there is nothing to shade
     bool varies = false;   // its material's numbers are those of the place
@@ -134,6 +135,8 @@ class Scene {
   void place_instances();
   void collect_lights();
   bool triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& surface) const;
+  bool curve_surface(const Instance& instance, const Ray& ray, const Hit& hit, Surface& surface) const;
+  void check_curves(const InstanceDesc& desc) const;
   // Texture coordinates of a set at a hit, and how the point moves with them; false where they do not vary.
   struct UvFrame {
     Vec2 uv;

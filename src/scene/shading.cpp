@@ -18,6 +18,7 @@ bool derivatives(const Vec3& e1, const Vec3& e2, const Vec2& d1, const Vec2& d2,
 
 Vec2 Scene::uv_at(const Instance& instance, int set, const Hit& hit, const Vec3& ng) const {
   if (instance.mesh) return instance.mesh->uv_at(set, hit.primitive, hit.u, hit.v);
+  if (instance.curves) return Vec2(instance.curves->along(hit.primitive, hit.u), 0);
   return uv_of_sphere(unit(instance.transform.transposed(ng)));
 }
 
@@ -32,6 +33,7 @@ bool Scene::uv_frame(const Instance& instance, int set, const Hit& hit, const Ve
     frame.dp_dv = instance.transform.vector(Vec3(-n.x * n.z, -n.y * n.z, ring * ring) * (kPi * radius / ring));
     return true;
   }
+  if (instance.curves) return false;  // nothing varies across a curve; its direction is the surface's tangent
   const Mesh& mesh = *instance.mesh;
   const Triangle t = mesh.triangles[hit.primitive];
   const auto corner = [&](uint32_t i) {
@@ -188,7 +190,7 @@ void Scene::shade_as(const Instance& instance, const Hit& hit, Surface& s, Mater
   }
   for (const TextureUse& use : material.textures)
     if (use.slot == Slot::Normal || use.slot == Slot::Bump) bend_normal(instance, use, hit, s);
-  if (!s.material->is_anisotropic()) return;
+  if (!s.material->is_anisotropic() || instance.curves) return;
   UvFrame frame;
   if (uv_frame(instance, 0, hit, s.ng, frame))
     s.tangent = frame.dp_du;
