@@ -40,8 +40,8 @@
  *
  * Callbacks
  *   A callback passed to a call runs only during this call, only on the calling thread, one at a time; the exceptions
- *   are the log and a host's material (any thread) and the executor's body (the host's threads). It must not throw or
- *   longjmp.
+ *   are the log, a host's material and a host's texture (any thread) and the executor's body (the host's threads). It
+ *   must not throw or longjmp.
  *   It returns zero to go on; any other value stops the call, which then returns BDPT_ERROR_CALLBACK_FAILED, with the
  *   callback's value in bdpt_last_error(). Inside progress and output callbacks only the functions that say so may be
  *   called on objects in use; others return BDPT_ERROR_REENTRANT.
@@ -475,6 +475,40 @@ typedef struct bdpt_texture_desc {
  * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in use.
  * Ownership: copies. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_texture_add(bdpt_builder *builder, const bdpt_texture_desc *desc, bdpt_texture_id *texture);
+/* Where a texture of yours is looked up. */
+typedef struct bdpt_texture_place {
+  float uv[2];               /* of the use: by its uv set and its transform, not wrapped */
+  float position[3];         /* in the world */
+  uint32_t reserved;
+  bdpt_instance_id instance; /* of the builder that built the scene */
+} bdpt_texture_place;
+
+/* A texture of yours: a function that computes colours, for patterns and noise. look_up fills red, green, blue and alpha
+ * of each of count places, count > 0; linear, in the rendering space; places and colors are valid during the call alone.
+ * All places that a wave of subpaths meets come in one call, some hundreds. The function must depend on nothing but the
+ * place: else techniques disagree, and no two renders are the same.
+ * Zero goes on; any other value ends the call that renders with BDPT_ERROR_CALLBACK_FAILED, and the pass in hand is lost.
+ * A colour that is negative, above maximum or not finite, or that was left unset, ends the subpath there: it is counted
+ * as rejected (bdpt_render_stats; bdpt_film_info counts eye subpaths).
+ * Not where single rays or texels are asked for: slots OPACITY and EMISSION, and lights, take images.
+ * Threads: look_up is called on any thread that renders, several at a time, by bdpt_render_create and
+ * bdpt_render_advance. Callbacks: render and film are closed inside of it (BDPT_ERROR_REENTRANT), but for reading. */
+typedef struct bdpt_host_texture_desc {
+  uint32_t struct_size;
+  float maximum;   /* of all four channels, > 0; 0 = 1. Slots that take at most 1 refuse more */
+  const char *label;
+  int32_t (*look_up)(void *user, uint32_t count, const bdpt_texture_place *places, float (*colors)[4]);
+  void *user;
+  void (*drop)(void *user); /* called once when the last builder or scene that has the texture is gone, and when
+                               bdpt_host_texture_add fails; may be NULL */
+  uint64_t hash;   /* of all that decides your colours: films of other scenes do not merge */
+  float step[2];   /* of slot BUMP: heights are compared so far to both sides in u and v, [1e-6,1]; zeros = 1/1024 */
+} bdpt_host_texture_desc;
+
+/* Adds a texture of yours. It is used like an image, but for wrap, lookup and level, which are 0.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT, _OUT_OF_MEMORY. Threads: one thread per object. Callbacks: not for the builder in
+ * use. Ownership: copies desc; drop is called also when this call fails, except for a struct_size of no version. */
+BDPT_API BDPT_CHECK bdpt_result bdpt_host_texture_add(bdpt_builder *builder, const bdpt_host_texture_desc *desc, bdpt_texture_id *texture);
 /* Removes a texture that no material or light uses.
  * Returns: BDPT_ERROR_INVALID_ID, _IN_USE, _INVALID_ARGUMENT. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: the builder's copy ends. */
@@ -521,7 +555,7 @@ typedef int32_t bdpt_material_type;
                                             that a mirror could send to the cone round u goes evenly to all of it */
 
 typedef int32_t bdpt_slot;
-/* What a texture varies. Colours are multiplied by the texture's, numbers by one of its channels. */
+/* What a texture varies. Colours are multiplied by the texture's, numbers by one of its channels; what is 0 is refused. */
 #define BDPT_SLOT_REFLECTANCE 0 /* colour */
 #define BDPT_SLOT_ROUGHNESS 1   /* number, along u and v */
 #define BDPT_SLOT_NORMAL 2      /* a tangent-space normal map: 2 rgb - 1, x along u, y along v; x and y times scale */
@@ -541,6 +575,8 @@ typedef int32_t bdpt_slot;
 #define BDPT_SLOT_DIFFUSE_TRANSMISSION 16
 #define BDPT_SLOT_ANISOTROPY 17 /* as in glTF: red and green the direction, 2 rg - 1, in the frame of u; blue the number */
 #define BDPT_SLOT_MIX 18
+#define BDPT_SLOT_IRIDESCENCE 19
+#define BDPT_SLOT_IRIDESCENCE_THICKNESS 20 /* from iridescence_thickness_minimum to iridescence_thickness */
 
 typedef int32_t bdpt_wrap;
 #define BDPT_WRAP_REPEAT 0
@@ -657,13 +693,18 @@ typedef struct bdpt_material_desc {
   bdpt_material_id parts[2];           /* mix: two that are no mixes or interfaces and have no emission, opacity, priority,
                                           normal or bump map. A mix encloses nothing */
   const bdpt_host_material *host;      /* host: copied */
+  float iridescence;                   /* principled: weight of a thin film on the base, below coat and sheen, [0,1]. Not
+                                          where ior is 1 and light refracts */
+  float iridescence_ior;               /* the film's, [1,10]; 0 = 1.3 */
+  float iridescence_thickness;         /* the film's, in nanometres, [0,1e5]; 0 = 400 */
+  float iridescence_thickness_minimum; /* the same where a texture of slot IRIDESCENCE_THICKNESS is 0; without one 0 */
 } bdpt_material_desc;
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID (texture), _OUT_OF_MEMORY. Threads: one thread per object.
  * Callbacks: not for the builder in use. Ownership: copies.
  * Source: GGX by Walter et al. (2007), visible normals sampled after Heitz (2018); what is scattered more than once by
- * Kulla and Conty (2017); Oren-Nayar by Portsmouth, Kutz and Hill (2024). */
+ * Kulla and Conty (2017); Oren-Nayar by Portsmouth, Kutz and Hill (2024); thin films after Belcour and Barla (2017). */
 BDPT_API BDPT_CHECK bdpt_result bdpt_material_add(bdpt_builder *builder, const bdpt_material_desc *desc, bdpt_material_id *material);
 /* Replaces a material's description for scenes built from now on.
  * Returns: as bdpt_material_add, and BDPT_ERROR_INVALID_ID. Threads: one thread per object.
@@ -1545,8 +1586,8 @@ BDPT_API const char *bdpt_plan_summary(uint32_t index);
  * the log says so. Pooled plans trace some light subpaths at once, which count in the statistics, and book their pool's
  * memory.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _MISMATCH, _IN_USE (the film is in another render), _MEMORY_LIMIT,
- * _OUT_OF_MEMORY. Threads: any thread. Callbacks: not for a film in use. Ownership: the caller destroys the render; it
- * keeps scene, sensor and film alive. */
+ * _OUT_OF_MEMORY, _CALLBACK_FAILED (a texture of the host's). Threads: any thread. Callbacks: not for a film in use.
+ * Ownership: the caller destroys the render; it keeps scene, sensor and film alive. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_render_create(bdpt_scene *scene, bdpt_sensor *sensor, bdpt_film *film,
                                                    const bdpt_render_desc *desc, bdpt_render **render);
 /* Destroys a render; the film keeps its whole passes. Returns: nothing. Threads: one thread per object.
@@ -1598,7 +1639,7 @@ typedef struct bdpt_advance_report {
  * pass, and the film is then what it would have been without the cancel.
  * Returns: BDPT_OK, BDPT_CANCELLED, BDPT_ERROR_INVALID_ARGUMENT, _CALLBACK_FAILED, _OUT_OF_MEMORY, _REENTRANT,
  * _MEMORY_LIMIT (a block's paths were so long that they took more than was booked; the pass in hand is lost).
- * report may be NULL; it is written on BDPT_ERROR_CALLBACK_FAILED, too. Threads: one thread per object, render and
+ * report may be NULL; it is written when progress or sink failed, too. Threads: one thread per object, render and
  * film. Callbacks: not for the render in use.
  * Ownership: none. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_render_advance(bdpt_render *render, const bdpt_advance_desc *desc, bdpt_advance_report *report);

@@ -189,6 +189,8 @@ TEST_F(ApiCallback, InsideABuildTheBuilderIsClosed) {
     reentrant(bdpt_sphere_add(b, &sphere, &shape));
     reentrant(bdpt_shape_remove(b, c.ball));
     reentrant(bdpt_texture_add(b, &texture, &texture_id));
+    const bdpt_host_texture_desc pattern = make<bdpt_host_texture_desc>();
+    reentrant(bdpt_host_texture_add(b, &pattern, &texture_id));
     reentrant(bdpt_texture_remove(b, texture_id));
     reentrant(bdpt_material_add(b, &material, &material_id));
     reentrant(bdpt_material_update(b, c.grey, &material));

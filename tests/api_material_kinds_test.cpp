@@ -29,6 +29,7 @@ TEST_F(ApiMaterialKinds, NumbersOfLayeredMaterialsAreChecked) {
       {"diffuse_transmission", &bdpt_material_desc::diffuse_transmission},
       {"anisotropy", &bdpt_material_desc::anisotropy},
       {"mix", &bdpt_material_desc::mix},
+      {"iridescence", &bdpt_material_desc::iridescence},
       {"specular", &bdpt_material_desc::specular}};
   for (const auto& [name, number] : numbers)
     for (float bad : {-0.5f, 1.5f, kNan})
@@ -37,6 +38,19 @@ TEST_F(ApiMaterialKinds, NumbersOfLayeredMaterialsAreChecked) {
   refused("specular_color", [](auto& d) { d.specular_color[0] = -1; });
   refused("sheen_color", [](auto& d) { d.sheen_color[2] = 1.5f; });
   refused("coat_ior", [](auto& d) { d.coat_ior = 0.9f; });
+  for (float bad : {0.9f, 11.0f, kNan}) refused("iridescence_ior", [=](auto& d) { d.iridescence_ior = bad; });
+  for (float bad : {-1.0f, 2e5f, kNan}) {
+    refused("iridescence_thickness", [=](auto& d) { d.iridescence_thickness = bad; });
+    refused("iridescence_thickness_minimum", [=](auto& d) { d.iridescence_thickness_minimum = bad; });
+  }
+  refused("iridescence_thickness_minimum",
+          [](auto& d) { d.type = BDPT_MATERIAL_PRINCIPLED, d.iridescence = 1, d.iridescence_thickness_minimum = 100; });
+  const auto bubble = [](bdpt_material_desc& d) {
+    d.type = BDPT_MATERIAL_PRINCIPLED, d.iridescence = d.transmission = d.ior = 1;
+  };
+  refused("thin_walled", bubble);
+  EXPECT_OK(try_material([&](auto& d) { bubble(d), d.thin_walled = 1; }));
+  EXPECT_OK(try_material([&](auto& d) { bubble(d), d.ior = 1.3f; }));
   refused("anisotropy_rotation", [](auto& d) { d.anisotropy_rotation = kInfinity; });
   refused("thin_walled", [](auto& d) { d.thin_walled = 2; });
   refused("single_scattering", [](auto& d) { d.single_scattering = 2; });

@@ -69,6 +69,8 @@ TEST(ApiNull, BuilderCallsRefuseIt) {
   const uint8_t texel[3] = {};
   bdpt_texture_desc texture = make<bdpt_texture_desc>();
   texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;
+  bdpt_host_texture_desc pattern = make<bdpt_host_texture_desc>();
+  pattern.look_up = [](void*, uint32_t, const bdpt_texture_place*, float(*)[4]) { return int32_t(0); };
   const bdpt_material_desc material = grey_desc();
   const bdpt_medium_desc medium = make<bdpt_medium_desc>();
   bdpt_light_desc light = make<bdpt_light_desc>();
@@ -95,6 +97,7 @@ TEST(ApiNull, BuilderCallsRefuseIt) {
   subdivision.positions = view(kSquare, 4, BDPT_FORMAT_FLOAT3), subdivision.indices = view(face, 4, BDPT_FORMAT_UINT32);
   check(bdpt_subdivision_add, subdivision, bdpt_shape_id{});
   check(bdpt_texture_add, texture, bdpt_texture_id{});
+  check(bdpt_host_texture_add, pattern, bdpt_texture_id{});
   check(bdpt_material_add, material, bdpt_material_id{});
   check(bdpt_medium_add, medium, bdpt_medium_id{});
   check(bdpt_light_add, light, bdpt_light_id{});
@@ -107,6 +110,8 @@ TEST(ApiNull, BuilderCallsRefuseIt) {
   texture.pixels = nullptr;
   bdpt_texture_id texture_id{};
   EXPECT_INVALID(bdpt_texture_add(builder.get(), &texture, &texture_id));
+  pattern.look_up = nullptr;
+  EXPECT_INVALID(bdpt_host_texture_add(builder.get(), &pattern, &texture_id));
 }
 
 TEST(ApiNull, UpdatesAndRemovalsRefuseIt) {

@@ -123,6 +123,16 @@ TEST_F(ApiSceneHash, ChangesWithEveryNumber) {
   differs("opacity", [](auto& e) { e.material.opacity = 0.5f; });
   differs("opacity_cutoff", [](auto& e) { e.material.opacity_cutoff = 0.75f; });
   differs("type", [](auto& e) { e.material.type = BDPT_MATERIAL_DIFFUSE; });
+  const auto film = [&](const char* name, const std::function<void(bdpt_material_desc&)>& change) {
+    differs(name, [&](auto& e) {
+      e.material.type = BDPT_MATERIAL_PRINCIPLED, e.material.iridescence = 1;
+      change(e.material);
+    });
+  };
+  film("iridescence", [](auto&) {});
+  film("weak iridescence", [](auto& d) { d.iridescence = 0.5f; });
+  film("iridescence_ior", [](auto& d) { d.iridescence_ior = 1.5f; });
+  film("iridescence_thickness", [](auto& d) { d.iridescence_thickness = 300; });
   differs("priority", [](auto& e) { e.glass.priority = 1; });
   differs("no interior", [](auto& e) { e.has_interior = false; });
   differs("nothing outside", [](auto& e) { e.has_outside = false; });

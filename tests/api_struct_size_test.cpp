@@ -102,6 +102,10 @@ TEST(ApiStructSize, BuilderStructsAreReadBySize) {
   bdpt_texture_id texture_id{};
   check<bdpt_texture_desc>("bdpt_texture_desc", 48, texture,
                            [&](bdpt_texture_desc* d) { return bdpt_texture_add(b, d, &texture_id); });
+  bdpt_host_texture_desc pattern = make<bdpt_host_texture_desc>();
+  pattern.look_up = [](void*, uint32_t, const bdpt_texture_place*, float(*)[4]) { return int32_t(0); };
+  check<bdpt_host_texture_desc>("bdpt_host_texture_desc", 56, pattern,
+                                [&](bdpt_host_texture_desc* d) { return bdpt_host_texture_add(b, d, &texture_id); });
   bdpt_material_id material{};
   check<bdpt_material_desc>("bdpt_material_desc", 96, grey_desc(),
                             [&](bdpt_material_desc* d) { return bdpt_material_add(b, d, &material); });

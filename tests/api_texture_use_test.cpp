@@ -131,6 +131,35 @@ TEST_F(ApiTextureUse, WhatReflectsMoreThanAllIsRefusedWhereThatCounts) {
                  {"texture of the textures[0]", "up to 1.5", "no finite number", "give less"});
 }
 
+// What is multiplied by 0 is 0 whatever the texture says.
+TEST_F(ApiTextureUse, WhatIsZeroHasNoTexture) {
+  const auto with = [&](bdpt_slot slot, const std::function<void(bdpt_material_desc&)>& change) {
+    return try_use([=](auto& u) { u.slot = slot; },
+                   [&](auto& d) {
+                     d.type = BDPT_MATERIAL_PRINCIPLED;
+                     change(d);
+                   });
+  };
+  const auto check = [&](bdpt_slot slot, const char* name, const std::function<void(bdpt_material_desc&)>& set) {
+    expect_refused(with(slot, [](auto&) {}), {"slot", name, "which multiplies", "is 0: set it"});
+    EXPECT_OK(with(slot, set)) << name;
+  };
+  check(BDPT_SLOT_ROUGHNESS, "ROUGHNESS", [](auto& d) { d.roughness[0] = d.roughness[1] = 0.1f; });
+  check(BDPT_SLOT_DIFFUSE_ROUGHNESS, "DIFFUSE_ROUGHNESS", [](auto& d) { d.diffuse_roughness = 1; });
+  check(BDPT_SLOT_TRANSMITTANCE, "TRANSMITTANCE", [](auto& d) { d.transmittance[2] = 1; });
+  check(BDPT_SLOT_METALNESS, "METALNESS", [](auto& d) { d.metalness = 1; });
+  check(BDPT_SLOT_COAT, "COAT", [](auto& d) { d.coat = 1; });
+  check(BDPT_SLOT_COAT_ROUGHNESS, "COAT_ROUGHNESS", [](auto& d) { d.coat_roughness = 1; });
+  check(BDPT_SLOT_SHEEN_COLOR, "SHEEN_COLOR", [](auto& d) { d.sheen_color[1] = 1; });
+  check(BDPT_SLOT_SHEEN_ROUGHNESS, "SHEEN_ROUGHNESS", [](auto& d) { d.sheen_roughness = 1; });
+  check(BDPT_SLOT_TRANSMISSION, "TRANSMISSION", [](auto& d) { d.transmission = 1; });
+  check(BDPT_SLOT_DIFFUSE_TRANSMISSION, "DIFFUSE_TRANSMISSION", [](auto& d) { d.diffuse_transmission = 1; });
+  check(BDPT_SLOT_ANISOTROPY, "ANISOTROPY", [](auto& d) { d.anisotropy = 1; });
+  check(BDPT_SLOT_IRIDESCENCE, "IRIDESCENCE", [](auto& d) { d.iridescence = 1; });
+  check(BDPT_SLOT_IRIDESCENCE_THICKNESS, "IRIDESCENCE_THICKNESS",
+        [](auto& d) { d.iridescence = 1, d.iridescence_thickness_minimum = 100; });
+}
+
 TEST_F(ApiTextureUse, EachSlotIsGivenOnce) {
   bdpt_texture_use uses[2] = {texture_use(texture_), texture_use(texture_)};
   const auto both = [&](bdpt_material_desc& d) { d.textures = uses, d.texture_count = 2; };

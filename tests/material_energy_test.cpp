@@ -62,7 +62,7 @@ TEST(MaterialEnergy, NoSingleScatteringReflectsMoreThanArrives) {
 // In a white furnace a material that absorbs nothing cannot be told from its surroundings. How near to it each model
 // comes: tables are interpolated (1 %, of glass 2 %); of anisotropic surfaces the loss is known in part; below a coat
 // a metal's light is thrown back at other angles than the model has it; and of glass and coats of the principled
-// material what is scattered more than once is lost.
+// material what is scattered more than once is lost, and below a film what the film throws back of any wavelength.
 TEST(MaterialEnergy, AWhiteFurnaceStaysWhite) {
   struct Furnace {
     std::string name;
@@ -104,6 +104,21 @@ TEST(MaterialEnergy, AWhiteFurnaceStaysWhite) {
          return principled(a, [](Material& m) { m.diffuse_transmission = 0.5f, m.transmittance = Rgb(1); });
        },
        0.99, 1.01},
+      {"paint below a film", [](float a) { return filmed(principled(a), 250); }, 0.9, 1.01},
+      {"paint below a film of a high index", [](float a) { return filmed(principled(a), 300, 1, 2.2f); }, 0.6, 1.01},
+      {"paint below half a film", [](float a) { return filmed(principled(a), 600, 0.5f, 1.3f); }, 0.92, 1.01},
+      {"metal below a film", [](float a) { return filmed(principled(a, [](Material& m) { m.metalness = 1; }), 400); },
+       0.98, 1.01},
+      {"glass below a film",
+       [](float a) { return filmed(principled(a, [](Material& m) { m.transmission = 1; }), 400, 1, 2.0f); }, 0.5, 1.01},
+      {"glass below half a film",
+       [](float a) { return filmed(principled(a, [](Material& m) { m.transmission = 1; }), 400, 0.5f); }, 0.75, 1.02},
+      {"bubble",
+       [](float a) {
+         return filmed(principled(a, [](Material& m) { m.transmission = 1, m.thin_walled = true, m.ior = 1; }), 500, 1,
+                       1.33f);
+       },
+       0.9, 1.01},
       {"mix", [](float a) { return mix(lossless_conductor(a, a), reflecting(diffuse(), 1), 0.5f); }, 0.99, 1.01},
   };
   for (const Furnace& f : furnaces)

@@ -114,6 +114,12 @@ inline Material principled(float alpha) {
   return principled(alpha, [](Material&) {});
 }
 
+// A thin film on what is else.
+inline Material filmed(Material m, float nanometres, float part = 1, float ior = 1.6f) {
+  m.film = part, m.film_ior = ior, m.film_thickness = nanometres;
+  return m;
+}
+
 // The parts live as long as the tests.
 inline Material mix(const Material& a, const Material& b, float weight) {
   static std::deque<Material> parts;
@@ -174,6 +180,9 @@ inline std::vector<Named> partly_specular_materials() {
                                                         m.transmittance = Rgb(0.5f, 0.2f, 0.9f);
                                                       })},
           {"principled 0.4 below a smooth coat", principled(0.4f, [](Material& m) { m.coat = 0.8f; })},
+          {"principled, smooth below a film", filmed(principled(0, [](Material& m) { m.metalness = 0.3f; }), 300)},
+          {"principled, smooth glass and paint below a film",
+           filmed(principled(0, [](Material& m) { m.transmission = 0.6f; }), 500, 0.7f)},
           {"mix of mirror and diffuse", mix(reflecting(mirror(), 0.9f), reflecting(diffuse(), 0.4f), 0.3f)},
           {"mix of glass and rough metal", mix(dielectric(1.5f, 0, 0), conductor(0.3f, 0.3f), 0.6f)}};
 }
@@ -229,6 +238,16 @@ inline std::vector<Named> nonspecular_materials() {
                                                })},
       {"principled 0.5, leaf",
        principled(0.5f, [](Material& m) { m.diffuse_transmission = 0.4f, m.transmittance = Rgb(0.5f, 0.8f, 0.1f); })},
+      {"principled 0.3, paint below a film", filmed(principled(0.3f), 250)},
+      {"principled 0.2, metal below half a film and a coat",
+       filmed(principled(0.2f, [](Material& m) { m.metalness = 0.8f, m.coat = 0.5f, m.coat_alpha = 0.1f; }), 420,
+              0.5f)},
+      {"principled 0.3, glass below a film", filmed(principled(0.3f, [](Material& m) { m.transmission = 1; }), 300)},
+      {"principled 0.4, glass below half a film",
+       filmed(principled(0.4f, [](Material& m) { m.transmission = 0.7f; }), 600, 0.5f, 1.3f)},
+      {"principled 0.3, bubble",
+       filmed(principled(0.3f, [](Material& m) { m.transmission = 1, m.thin_walled = true, m.ior = 1; }), 500, 1,
+              1.33f)},
       {"mix", mix(reflecting(diffuse(), 0.8f), conductor(0.2f, 0.4f), 0.3f)},
       {"mix of glass and paint",
        mix(dielectric(1.5f, 0.3f, 0.3f), reflecting(coated_diffuse(1.5f, 0.2f, 0.2f), 0.6f), 0.5f)},
@@ -248,6 +267,10 @@ inline std::vector<Named> specular_materials() {
           {"principled metal", principled(0, [](Material& m) { m.metalness = 1; })},
           {"principled glass below a smooth coat", principled(0, [](Material& m) { m.transmission = 1, m.coat = 1; })},
           {"principled thin glass", principled(0, [](Material& m) { m.transmission = 1, m.thin_walled = true; })},
+          {"principled metal below a film", filmed(principled(0, [](Material& m) { m.metalness = 1; }), 400)},
+          {"principled glass below a film", filmed(principled(0, [](Material& m) { m.transmission = 1; }), 400)},
+          {"bubble", filmed(principled(0, [](Material& m) { m.transmission = 1, m.thin_walled = true, m.ior = 1; }),
+                            500, 1, 1.33f)},
           {"mix of mirror and glass", mix(reflecting(mirror(), 0.9f), dielectric(1.5f, 0, 0), 0.5f)},
           {"brushed", brushed()},
           {"brushed, turned, one-sided", one_sided(brushed(0.7))}};

@@ -269,6 +269,10 @@ class Builder {
     return *this;
   }
   // The instance added last.
+  Builder& with_id(uint64_t id) {
+    desc_.instances.back().id = id;
+    return *this;
+  }
   Builder& invisible() {
     desc_.instances.back().invisible = true;
     return *this;
@@ -292,6 +296,10 @@ class Builder {
   int add_texture(Texture texture) {
     desc_.textures.push_back(std::make_shared<const Texture>(std::move(texture)));
     return int(desc_.textures.size()) - 1;
+  }
+  int add_host_texture(std::shared_ptr<const HostTexture> texture) {
+    desc_.host_textures.push_back(std::move(texture));
+    return int(desc_.host_textures.size()) - 1;
   }
   Builder& point(const Vec3& position, const Rgb& intensity) {
     LightDesc l;

@@ -154,6 +154,24 @@ TEST_F(ToolGltf, UnlitMaterialsEmitTheirColourAndAreNotLit) {
   EXPECT_TRUE(scene.lights.empty());  // there is nothing to be lit
 }
 
+TEST_F(ToolGltf, FilmsThatTheLibraryHasNotAreToldOf) {
+  const std::string thick =
+      "\"extensions\":{\"KHR_materials_iridescence\":{\"iridescenceFactor\":1,\"iridescenceIor\":12,"
+      "\"iridescenceThicknessMaximum\":200000}}";
+  const PrincipledDescription p = lower(read_material(thick)).principled;
+  EXPECT_EQ(p.iridescence_ior, 10);
+  EXPECT_EQ(p.iridescence_thickness.factor, 1e5f);
+  const std::string bubble =
+      "\"extensions\":{\"KHR_materials_iridescence\":{\"iridescenceFactor\":1},\"KHR_materials_ior\":{\"ior\":1},"
+      "\"KHR_materials_transmission\":{\"transmissionFactor\":1}";
+  EXPECT_EQ(lower(read_material(bubble + "}")).principled.iridescence.factor, 1);
+  EXPECT_EQ(
+      lower(read_material(bubble + ",\"KHR_materials_volume\":{\"thicknessFactor\":1}}")).principled.iridescence.factor,
+      0);
+  for (const char* note : {"films of an index above 10", "films thicker than", "iridescence of what does not refract"})
+    EXPECT_EQ(notes_with(note), 1u) << note << " in\n" << notes();
+}
+
 // Each number and each texture changes what the library has.
 TEST_F(ToolGltfTexture, EveryValueReachesTheLibrary) {
   const SceneDescription scene =
@@ -174,7 +192,7 @@ TEST_F(ToolGltfTexture, EveryValueReachesTheLibrary) {
   std::size_t changes = 1;
   using P = PrincipledDescription;
   for (FloatValue P::*value :
-       {&P::metallic, &P::roughness, &P::specular, &P::transmission, &P::clearcoat, &P::anisotropy}) {
+       {&P::metallic, &P::roughness, &P::specular, &P::transmission, &P::clearcoat, &P::anisotropy, &P::iridescence}) {
     hashes.insert(hash([&](MaterialDescription&, P& p) { (p.*value).factor = 0.25f; }));
     hashes.insert(hash([&](MaterialDescription&, P& p) { (p.*value) = {0.25f, {.texture = 0}, (p.*value).channel}; }));
     changes += 2;
@@ -199,6 +217,14 @@ TEST_F(ToolGltfTexture, EveryValueReachesTheLibrary) {
       [](MaterialDescription&, P& p) { p.transmission.factor = 1, p.thickness.factor = 1; },
       [](MaterialDescription&, P& p) {
         p.transmission.factor = p.thickness.factor = p.attenuation_distance = 1, p.attenuation_color = {0.5f, 1, 1};
+      },
+      [](MaterialDescription&, P& p) { p.iridescence.factor = 1; },
+      [](MaterialDescription&, P& p) { p.iridescence.factor = 1, p.iridescence_ior = 2; },
+      [](MaterialDescription&, P& p) { p.iridescence.factor = 1, p.iridescence_thickness.factor = 200; },
+      [](MaterialDescription&, P& p) { p.iridescence.factor = 1, p.iridescence_thickness.factor = 0; },
+      [](MaterialDescription&, P& p) { p.iridescence.factor = 1, p.iridescence_thickness.texture.texture = 0; },
+      [](MaterialDescription&, P& p) {
+        p.iridescence.factor = 1, p.iridescence_thickness.texture.texture = 0, p.iridescence_thickness_min = 300;
       },
       [](MaterialDescription& m, P&) { m.ior = 2; },
       [](MaterialDescription& m, P&) {

@@ -145,6 +145,20 @@ std::vector<Item> items() {
            m.transmission = 0.5f, m.thin_walled = true, m.diffuse_transmission = 0.5f, m.transmittance = Rgb(0.7f);
          });
        }},
+      {"iridescent paint",
+       [](Builder& b) {
+         const Material m = of_kind(Principled, 0.3f, [](Material& p) {
+           p.metalness = 0.5f, p.film = 1, p.film_ior = 1.8f, p.film_thickness = 400;
+         });
+         MaterialDesc d = scenes::textured(m, Slot::FilmThickness, b.add_texture(checks(0.2f, 1)));
+         d.least_film_thickness = 100;
+         return scenes::textured(d, Slot::Film, b.add_texture(checks(0.4f, 1)));
+       }},
+      {"iridescent glass, smooth",
+       [](Builder&) {
+         return of_kind(Principled, 0, [](Material& m) { m.transmission = 0.7f, m.film = 1, m.film_thickness = 300; });
+       },
+       true},
       {"mix",
        [](Builder& b) {
          const int paint = b.add_material(scenes::textured(scenes::diffuse(Rgb(0.7f, 0.2f, 0.1f)), Slot::Reflectance,

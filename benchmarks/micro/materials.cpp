@@ -17,6 +17,13 @@ struct Named {
   bdpt::Material material;
 };
 
+// Half a metal below a thin film.
+bdpt::Material iridescent(bdpt::Material m) {
+  m.metalness = 0.5f;
+  m.film = 1, m.film_thickness = 400;
+  return m;
+}
+
 std::vector<Named> materials() {
   const auto make = [](bdpt::MaterialType type, float alpha_u, float alpha_v) {
     bdpt::Material m;
@@ -38,7 +45,8 @@ std::vector<Named> materials() {
           {"rough_dielectric", make(Dielectric, 0.2f, 0.2f)},
           {"coated_diffuse", make(CoatedDiffuse, 0.2f, 0.2f)},
           {"coated_conductor", make(CoatedConductor, 0.2f, 0.2f)},
-          {"principled", make(Principled, 0.2f, 0.2f)}};
+          {"principled", make(Principled, 0.2f, 0.2f)},
+          {"iridescent", iridescent(make(Principled, 0.2f, 0.2f))}};
 }
 
 constexpr std::uint32_t kDraws = 1024;

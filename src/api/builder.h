@@ -5,6 +5,7 @@
 #include "api/handles.h"
 #include "api/table.h"
 #include "geometry/curves.h"
+#include "geometry/host_texture.h"
 #include "geometry/mesh.h"
 #include "geometry/texture.h"
 #include "light/light_desc.h"
@@ -28,10 +29,13 @@ struct ShapeEntry {
   }
 };
 
+// An image, or the host's function.
 struct TextureEntry {
   std::shared_ptr<const Texture> texture;
+  std::shared_ptr<const HostTexture> host;
   float maximum = 0;  // of all channels
   uint64_t users = 0;
+  const std::string& label() const { return host ? host->label : texture->label(); }
 };
 
 struct MaterialEntry {

@@ -34,6 +34,7 @@ BDPT_VERSION_1_SIZE(bdpt_sphere_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_curves_desc, 184);
 BDPT_VERSION_1_SIZE(bdpt_subdivision_desc, 544);
 BDPT_VERSION_1_SIZE(bdpt_texture_desc, 48);
+BDPT_VERSION_1_SIZE(bdpt_host_texture_desc, 56);
 BDPT_VERSION_1_SIZE(bdpt_texture_use, 72);
 BDPT_VERSION_1_SIZE(bdpt_medium_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_material_desc, 96);
@@ -84,6 +85,7 @@ BDPT_VERSION_1_SIZE(bdpt_denoise_desc, 56);
 // The library writes these; version 1 is the only one so far.
 static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 // Arrays and parts of other structs carry no size of their own: these can never change.
+static_assert(sizeof(bdpt_texture_place) == 32);
 static_assert(sizeof(bdpt_scattering_place) == 32 && sizeof(bdpt_scattering_value) == 20);
 static_assert(sizeof(bdpt_coverage) == 16 && sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 &&
               sizeof(bdpt_point) == 32 && sizeof(bdpt_portal) == 36 && sizeof(bdpt_lens_surface) == 16 && sizeof(bdpt_measurement_start) == 56 &&

@@ -140,6 +140,9 @@ LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
     texture = &builder.textures.at(desc.texture.id, "desc.texture");
     if (desc.type != BDPT_LIGHT_ENVIRONMENT && desc.type != BDPT_LIGHT_SPOT)
       subject.refuse("texture", "is set: only environments and spots have a picture; set it to zero");
+    if (texture->host)
+      subject.refuse("texture", "is \"", texture->label(),
+                     "\", which is the host's: lights are sampled by texels, so give an image");
   }
   if (desc.photometry && desc.type != BDPT_LIGHT_POINT)
     subject.refuse("photometry", "is set: only points have a measured luminaire's intensities; set it to NULL");

@@ -12,6 +12,7 @@ namespace {
 constexpr float kDefaultIor = 1.5f;
 constexpr float kDefaultCutoff = 0.5f;
 constexpr float kMaxMetal = 1e6f;  // of eta and k, whose fourth powers Fresnel's equations have
+constexpr float kDefaultFilmIor = 1.3f, kDefaultFilmThickness = 400, kMaxFilmThickness = 1e5f;
 
 void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_enum("type", desc.type, BDPT_MATERIAL_BRUSHED);
@@ -33,6 +34,9 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
   subject.check_range("specular_color", desc.specular_color, 3, 0, 1);
   subject.check_range("sheen_color", desc.sheen_color, 3, 0, 1);
   if (desc.coat_ior != 0) subject.check_range("coat_ior", desc.coat_ior, 1, 10);
+  if (desc.iridescence_ior != 0) subject.check_range("iridescence_ior", desc.iridescence_ior, 1, 10);
+  subject.check_range("iridescence_thickness", desc.iridescence_thickness, 0, kMaxFilmThickness);
+  subject.check_range("iridescence_thickness_minimum", desc.iridescence_thickness_minimum, 0, kMaxFilmThickness);
   if (desc.specular != -1) subject.check_range("specular", desc.specular, 0, 1);
   subject.check_finite("anisotropy_rotation", desc.anisotropy_rotation);
   subject.check_flag("thin_walled", desc.thin_walled);
@@ -46,6 +50,7 @@ void check_fields(const Subject& subject, const bdpt_material_desc& desc) {
                                                  {"transmission", desc.transmission},
                                                  {"diffuse_transmission", desc.diffuse_transmission},
                                                  {"anisotropy", desc.anisotropy},
+                                                 {"iridescence", desc.iridescence},
                                                  {"mix", desc.mix}};
   for (const auto& [field, value] : parts) subject.check_range(field, value, 0, 1);
 }
@@ -94,6 +99,10 @@ void check_type(const Subject& subject, const bdpt_material_desc& desc) {
       !desc.thin_walled)
     subject.refuse("diffuse_transmission", "is ", desc.diffuse_transmission, " and transmission ", desc.transmission,
                    ": both go together only where thin_walled is 1");
+  if (desc.type == BDPT_MATERIAL_PRINCIPLED && encloses && desc.iridescence > 0 && desc.ior != 0 &&
+      std::fabs(desc.ior - 1) < 1e-4f)
+    subject.refuse("iridescence", "is ", desc.iridescence, ", but ior is ", desc.ior,
+                   ", and light passes such a surface as if there were none: set thin_walled to 1, or another ior");
   if (desc.type == BDPT_MATERIAL_HOST && !desc.host)
     subject.refuse("host", "is NULL: give the functions of a material of type HOST");
   if (desc.type != BDPT_MATERIAL_HOST && desc.host) subject.refuse("host", "is set: only type HOST takes it");
@@ -130,7 +139,7 @@ bool transmits(bdpt_builder& builder, const MaterialEntry& entry) {
          builder.materials[entry.parts[1]].material.transmits();
 }
 
-void read_principled(const bdpt_material_desc& desc, Material& m) {
+void read_principled(const bdpt_material_desc& desc, MaterialDesc& m) {
   m.coat = desc.coat;
   m.metalness = desc.metalness;
   m.specular = desc.specular == 0 ? 1 : desc.specular == -1 ? 0 : desc.specular;
@@ -141,6 +150,11 @@ void read_principled(const bdpt_material_desc& desc, Material& m) {
   m.diffuse_transmission = desc.diffuse_transmission;
   m.anisotropy = desc.anisotropy;
   m.thin_walled = desc.thin_walled != 0;
+  if (desc.iridescence == 0) return;
+  m.film = desc.iridescence;
+  m.film_ior = desc.iridescence_ior == 0 ? kDefaultFilmIor : desc.iridescence_ior;
+  m.film_thickness = desc.iridescence_thickness == 0 ? kDefaultFilmThickness : desc.iridescence_thickness;
+  m.least_film_thickness = desc.iridescence_thickness_minimum;
 }
 
 Opacity read_opacity(const Subject& subject, const bdpt_material_desc& desc) {

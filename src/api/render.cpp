@@ -200,6 +200,7 @@ bdpt_result bdpt_render_create(bdpt_scene* scene, bdpt_sensor* sensor, bdpt_film
     const RenderDesc options = read_render(d);
     check_fit(*scene, *sensor, *film);
     check_turns(*scene, options.transport.light_selection);
+    const Busy::Mark film_mark(film->busy);  // pilots ask the host's functions
     auto object = std::make_unique<bdpt_render>();
     object->context = scene->context;
     object->film = Ref<bdpt_film>(film);

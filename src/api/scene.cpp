@@ -44,6 +44,9 @@ class Collector {
   int texture(uint64_t id) {
     return index(textures_, id, [&] { desc_.textures.push_back(builder_.textures[id].texture); });
   }
+  int host_texture(uint64_t id) {
+    return index(host_textures_, id, [&] { desc_.host_textures.push_back(builder_.textures[id].host); });
+  }
   int medium(uint64_t id) {
     return index(media_, id, [&] { desc_.media.push_back(builder_.media[id].medium); });
   }
@@ -52,9 +55,10 @@ class Collector {
       const MaterialEntry& entry = builder_.materials[id];
       desc_.materials.push_back(entry.material);
       MaterialDesc& desc = desc_.materials.back();
-      const auto resolve = [&](int& number) { number = texture(entry.textures[size_t(number)]); };
-      for (TextureUse& use : desc.textures) resolve(use.texture);
-      if (desc.opacity.texture >= 0) resolve(desc.opacity.texture);
+      const auto id_of = [&](int number) { return entry.textures[size_t(number)]; };
+      for (TextureUse& use : desc.textures)
+        use.texture = use.is_hosts ? host_texture(id_of(use.texture)) : texture(id_of(use.texture));
+      if (desc.opacity.texture >= 0) desc.opacity.texture = texture(id_of(desc.opacity.texture));
       if (entry.medium) desc.interior = medium(entry.medium);
     });
     if (desc_.materials[size_t(number)].type == MaterialType::Mix)
@@ -67,7 +71,7 @@ class Collector {
 
   const bdpt_builder& builder_;
   SceneDesc desc_;
-  std::unordered_map<uint64_t, int> shapes_, textures_, materials_, media_;
+  std::unordered_map<uint64_t, int> shapes_, textures_, host_textures_, materials_, media_;
 };
 
 void check_contents(const bdpt_builder& builder) {

@@ -237,7 +237,7 @@ bdpt_result bdpt_texture_remove(bdpt_builder* builder, bdpt_texture_id texture) 
   return guard(__func__, [&] {
     bdpt_builder& b = writable(builder);
     const TextureEntry& entry = b.textures.at(texture.id, "texture");
-    check_unused(entry.users, "texture", entry.texture->label(), "material or light");
+    check_unused(entry.users, "texture", entry.label(), "material or light");
     b.textures.take(texture.id);
   });
 }

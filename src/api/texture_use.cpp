@@ -53,8 +53,46 @@ constexpr SlotKind kSlots[] = {
     {"DIFFUSE_TRANSMISSION", Slot::DiffuseTransmission, true, true, false, kPrincipled},
     {"ANISOTROPY", Slot::Anisotropy, false, true, false, kPrincipled},
     {"MIX", Slot::Mix, true, true, false, bit(BDPT_MATERIAL_MIX)},
+    {"IRIDESCENCE", Slot::Film, true, true, false, kPrincipled},
+    {"IRIDESCENCE_THICKNESS", Slot::FilmThickness, true, true, false, kPrincipled},
 };
-static_assert(std::size(kSlots) == BDPT_SLOT_MIX + 1);
+constexpr bdpt_slot kLastSlot = BDPT_SLOT_IRIDESCENCE_THICKNESS;
+static_assert(std::size(kSlots) == kLastSlot + 1);
+
+// Whether what the slot's texture multiplies is 0, and so the texture would do nothing.
+bool has_nothing_to_vary(const bdpt_material_desc& desc, bdpt_slot slot) {
+  switch (slot) {
+    case BDPT_SLOT_ROUGHNESS:
+      return desc.roughness[0] == 0 && desc.roughness[1] == 0;
+    case BDPT_SLOT_DIFFUSE_ROUGHNESS:
+      return desc.diffuse_roughness == 0;
+    case BDPT_SLOT_TRANSMITTANCE:
+      return is_black(to_rgb(desc.transmittance));
+    case BDPT_SLOT_METALNESS:
+      return desc.metalness == 0;
+    case BDPT_SLOT_COAT:
+      return desc.coat == 0;
+    case BDPT_SLOT_COAT_ROUGHNESS:
+      return desc.coat_roughness == 0;
+    case BDPT_SLOT_SHEEN_COLOR:
+      return is_black(to_rgb(desc.sheen_color));
+    case BDPT_SLOT_SHEEN_ROUGHNESS:
+      return desc.sheen_roughness == 0;
+    case BDPT_SLOT_TRANSMISSION:
+      return desc.transmission == 0;
+    case BDPT_SLOT_DIFFUSE_TRANSMISSION:
+      return desc.diffuse_transmission == 0;
+    case BDPT_SLOT_ANISOTROPY:
+      return desc.anisotropy == 0;
+    case BDPT_SLOT_MIX:
+      return desc.mix == 0;
+    case BDPT_SLOT_IRIDESCENCE:
+    case BDPT_SLOT_IRIDESCENCE_THICKNESS:
+      return desc.iridescence == 0;
+    default:
+      return false;
+  }
+}
 
 // Whether its number is an alpha, which perceptual roughness is the root of.
 constexpr bool is_alpha(bdpt_slot slot) {
@@ -87,7 +125,7 @@ class UseReader {
       : builder_(builder), material_(material), desc_(desc), entry_(entry) {}
 
   void read(const bdpt_texture_use& use, const Subject& subject) {
-    subject.check_enum("slot", use.slot, BDPT_SLOT_MIX);
+    subject.check_enum("slot", use.slot, kLastSlot);
     subject.check_reserved("reserved", use.reserved);
     subject.check_range("uv_set", use.uv_set, 0, 1);
     const SlotKind& kind = kSlots[use.slot];
@@ -99,8 +137,8 @@ class UseReader {
       subject.refuse("slot", "is ", kind.name, ", which ", material_.name(), " of this type has no use for");
     if (taken_ >> use.slot & 1u) subject.refuse("slot", "is ", kind.name, " for a second time: give each slot once");
     taken_ |= 1u << use.slot;
-    if (use.slot == BDPT_SLOT_DIFFUSE_ROUGHNESS && desc_.diffuse_roughness == 0)
-      subject.refuse("slot", "is DIFFUSE_ROUGHNESS, which multiplies the material's, and that is 0: set it");
+    if (has_nothing_to_vary(desc_, use.slot))
+      subject.refuse("slot", "is ", kind.name, ", which multiplies the material's, and that is 0: set it");
     TextureUse result;
     result.texture = add(use.texture.id, subject, "texture", kind);
     result.slot = kind.slot;
@@ -109,6 +147,7 @@ class UseReader {
     result.scale = use.scale == 0 ? 1 : use.scale;
     result.uv = read_uv(subject, use);
     result.sampler = read_sampler(subject, use);
+    result.is_hosts = is_hosts(use, subject);
     if (use.slot != BDPT_SLOT_OPACITY) {
       entry_.material.textures.push_back(result);
       return;
@@ -122,22 +161,39 @@ class UseReader {
     opacity.sampler = result.sampler;
   }
 
+  bool has(bdpt_slot slot) const { return taken_ >> slot & 1u; }
   // The short form.
   void read_reflectance() {
     if (taken_ & 1u)
       material_.refuse("reflectance_texture", "is set beside a use of slot REFLECTANCE: give one of them");
     TextureUse use;
     use.texture = add(desc_.reflectance_texture.id, material_, "reflectance_texture", kSlots[BDPT_SLOT_REFLECTANCE]);
+    use.is_hosts = builder_.textures[desc_.reflectance_texture.id].host != nullptr;
     entry_.material.reflectance = Rgb(1);
     entry_.material.textures.push_back(use);
   }
 
  private:
+  // Of the host's, which has no texels.
+  bool is_hosts(const bdpt_texture_use& use, const Subject& subject) {
+    const TextureEntry& texture = builder_.textures[use.texture.id];
+    if (!texture.host) return false;
+    const auto refuse = [&](const char* field, const char* why) {
+      subject.refuse(field, "is set, but texture \"", texture.label(), "\" is the host's: ", why);
+    };
+    if (use.slot == BDPT_SLOT_OPACITY)
+      refuse("slot", "rays ask for opacity one by one, so give an image for OPACITY");
+    if (use.slot == BDPT_SLOT_EMISSION) refuse("slot", "lights are sampled by texels, so give an image for EMISSION");
+    if (use.wrap[0] != 0 || use.wrap[1] != 0) refuse("wrap", "it gets coordinates as they are; set it to 0");
+    if (use.lookup != 0) refuse("lookup", "it has no texels; set it to 0");
+    if (use.level != 0) refuse("level", "it has no mip levels; set it to 0");
+    return true;
+  }
   int add(uint64_t id, const Subject& subject, const char* field, const SlotKind& kind) {
     const TextureEntry& texture = builder_.textures.at(id, (field + (" of " + subject.name())).c_str());
     if (kind.is_bounded && texture.maximum > 1)
-      subject.refuse(field, "has texels up to ", texture.maximum, " for slot ", kind.name,
-                     ": a surface reflects no more than it receives; scale them to at most 1");
+      subject.refuse(field, "has ", texture.host ? "a maximum of " : "texels up to ", texture.maximum, " for slot ",
+                     kind.name, ": a surface reflects no more than it receives; scale them to at most 1");
     if (kind.slot == Slot::Emission && !std::isfinite(norm(to_rgb(desc_.emission)) * texture.maximum))
       subject.refuse("texture", "has texels up to ", texture.maximum,
                      ", which times emission are no finite number: give less");
@@ -172,6 +228,9 @@ void read_texture_uses(bdpt_builder& builder, const Subject& material, const bdp
     }
   }
   if (desc.reflectance_texture.id != 0) reader.read_reflectance();
+  if (desc.iridescence_thickness_minimum != 0 && !reader.has(BDPT_SLOT_IRIDESCENCE_THICKNESS))
+    material.refuse("iridescence_thickness_minimum", "is ", desc.iridescence_thickness_minimum,
+                    ", but no texture goes from it to iridescence_thickness: give one of slot IRIDESCENCE_THICKNESS, or 0");
 }
 
 }  // namespace bdpt

@@ -56,6 +56,8 @@ struct Material {
   bool thin_walled = false;
   float anisotropy = 0;                    // alpha_u goes to 1 with its square
   float tangent_cos = 1, tangent_sin = 0;  // of the direction u in the tangent frame
+  float film = 0;                          // weight of a thin film on the base
+  float film_ior = 1.3f, film_thickness = 0;  // nanometres
   const Material* parts[2] = {};           // mix
   float mix = 0;                           // weight of the second
   const HostMaterial* host = nullptr;

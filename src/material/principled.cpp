@@ -4,6 +4,9 @@
 // Layers are symmetric in both directions and give out no more than they receive. With T(v) the part of light that what
 // is above lets through, seen from v, a diffuse lobe is multiplied by T(p) T(n) / mean T and keeps all that comes down;
 // a lobe of microfacets by min(T(p), T(n)).
+//
+// A thin film changes what metal, gloss and glass reflect. What is below the gloss gets what the film lets through of
+// any wavelength at least, so that no channel gives out more than it receives.
 #include <array>
 
 #include "material/boundary.h"
@@ -11,6 +14,7 @@
 #include "material/kinds.h"
 #include "material/oren_nayar.h"
 #include "material/sheen.h"
+#include "material/thin_film.h"
 
 namespace bdpt {
 namespace {
@@ -30,7 +34,9 @@ class Principled {
         coat_(m.coat_alpha, m.coat_alpha),
         smooth_(m.is_smooth() && m.anisotropy == 0),
         refracts_(m.is_boundary()),
-        front_(!refracts_ || previous.z > 0) {
+        front_(!refracts_ || previous.z > 0),
+        film_(m.film_ior, m.film_thickness),
+        film_part_(m.film) {
     metal_ = m.metalness;
     glass_ = (1 - metal_) * m.transmission;
     solid_ = (1 - metal_) * (1 - m.transmission);
@@ -38,13 +44,21 @@ class Principled {
     const auto channel = [&](float color) { return std::min(f0 * color, 1.0f) * m.specular; };
     f0_ = {channel(m.specular_color.r), channel(m.specular_color.g), channel(m.specular_color.b)};
     f90_ = Rgb(m.specular);
+    layer_f0_ = f0_;
+    if (film_part_ > 0) {
+      bare_f0_ = {std::min(f0 * m.specular_color.r, 1.0f), std::min(f0 * m.specular_color.g, 1.0f),
+                  std::min(f0 * m.specular_color.b, 1.0f)};
+      film_f0_ = {film_.most(bare_f0_.r), film_.most(bare_f0_.g), film_.most(bare_f0_.b)};
+      layer_f0_ = f0_ + (film_f0_ * m.specular - f0_) * film_part_;
+    }
     through_ = refracts_ ? 0 : m.diffuse_transmission;
     coat_f0_ = sqr((m.coat_ior - 1) / (m.coat_ior + 1));
   }
 
   bool is_smooth() const { return smooth_; }
   bool is_smooth_coat() const { return m_.coat_alpha == 0; }
-  Boundary boundary() const { return {m_.ior, ggx_, smooth_, m_.single_scattering}; }
+  // Below a whole film no more than single scattering is known.
+  Boundary boundary() const { return {m_.ior, ggx_, smooth_, m_.single_scattering || film_part_ == 1}; }
   const Ggx& ggx() const { return ggx_; }
   const Ggx& coat_ggx() const { return coat_; }
 
@@ -74,7 +88,7 @@ class Principled {
     s.above = (1 - s.coat) * s.under_sheen;
     const SchlickAlbedo a =
         smooth_ ? SchlickAlbedo{1, schlick_part(cosine)} : MetalAlbedo::get().both(isotropic_alpha(ggx_, v), cosine);
-    s.gloss = f0_ * (a.all - a.grazing) + f90_ * a.grazing;
+    s.gloss = layer_f0_ * (a.all - a.grazing) + f90_ * a.grazing;
     if (!smooth_) s.loss = std::clamp((1 - a.all) * sure_part(ggx_), 0.0f, 1.0f);
     return s;
   }
@@ -87,7 +101,8 @@ class Principled {
     Chances& c = s.chances;
     c[Coat] = s.coat * s.under_sheen;
     c[Fibres] = norm(m_.sheen) * std::min(s.sheen, 1.0f);
-    const float metal = base + (1 - base) * schlick_part(cosine);
+    const float metal_f0 = film_part_ > 0 ? std::max(base, film_part_ * film_.most(base)) : base;
+    const float metal = metal_f0 + (1 - metal_f0) * schlick_part(cosine);
     c[Gloss] = s.above * (metal_ * metal * (1 - s.loss) + (m_.thin_walled ? glass_ + solid_ : solid_) * gloss);
     if (refracts_) c[Glass] = s.above * glass_;
     if (m_.thin_walled) c[Thin] = below * glass_ * base * (1 - s.loss);
@@ -137,17 +152,22 @@ class Principled {
       if (m_.thin_walled && glass_ > 0 && !smooth_) {
         const Vec3 mirrored(n.x, n.y, -n.z);
         const MicrofacetReflection r = reflect_at_microfacets(ggx_, p, mirrored);
-        const Rgb f = one_minus(schlick(f0_, f90_, std::min(r.cos_h, 1.0f))) * base_ * (glass_ * least);
+        const Rgb f = one_minus(dielectric(std::min(r.cos_h, 1.0f))) * base_ * (glass_ * least);
         add(Thin, f * r.f, r.density, r.density_reverse);
         if (!m_.single_scattering) {
           const MetalLoss lost = loss(from, to);
-          v.f += one_minus(schlick_mean(f0_)) * base_ * (glass_ * least * compensation(lost.p, lost.n, lost.mean));
+          v.f +=
+              one_minus(schlick_mean(layer_f0_)) * base_ * (glass_ * least * compensation(lost.p, lost.n, lost.mean));
         }
       }
     }
     if (refracts_) {
       const Vec3 previous = front_ ? p : Vec3(p.x, p.y, -p.z), next = front_ ? n : Vec3(n.x, n.y, -n.z);
-      const BsdfValue g = evaluate(boundary(), previous, next, mode);
+      BsdfValue g = evaluate(boundary(), previous, next, mode);
+      if (film_part_ > 0 && !is_black(g.f)) {
+        const Rgb once = evaluate({m_.ior, ggx_, smooth_, true}, previous, next, mode).f;
+        g.f = once * film_on_glass(p, n) + (g.f - once) * (1 - film_part_);
+      }
       add(Glass, g.f * (reflects ? Rgb(1) : base_) * (glass_ * least), g.density, g.density_reverse);
     }
     return v;
@@ -156,21 +176,48 @@ class Principled {
   // Of metal and gloss together, where the microfacets' normal has this cosine.
   Rgb fresnel(float cosine) const {
     const float c = std::min(cosine, 1.0f);
-    return schlick(base_, Rgb(1), c) * metal_ + schlick(f0_, f90_, c) * (m_.thin_walled ? glass_ + solid_ : solid_);
+    return metal(c) * metal_ + dielectric(c) * (m_.thin_walled ? glass_ + solid_ : solid_);
   }
   // A mirror's weight.
   Rgb coat_mirror(const Sight& s) const { return Rgb(s.coat * s.under_sheen); }
   Rgb gloss_mirror(const Sight& s, const Vec3& p) const { return fresnel(p.z) * s.above; }
   Rgb straight_through(const Sight& s, const Vec3& p) const {
-    return one_minus(schlick(f0_, f90_, std::min(p.z, 1.0f))) * base_ * (glass_ * s.above);
+    return one_minus(dielectric(std::min(p.z, 1.0f))) * base_ * (glass_ * s.above);
   }
-  Rgb through_glass(const Sight& from, const Sight& to, bool reflects) const {
-    return (reflects ? Rgb(1) : base_) * (glass_ * std::min(from.above, to.above));
+  Rgb through_glass(const Sight& from, const Sight& to, const Vec3& p, const Vec3& n) const {
+    const Rgb weight = (n.z > 0 ? Rgb(1) : base_) * (glass_ * std::min(from.above, to.above));
+    return film_part_ > 0 ? weight * film_on_glass(p, n) : weight;
   }
   // Whether v, turned, is on a side that has the layers above.
   bool is_front(const Vec3& v) const { return !refracts_ || (v.z > 0) == front_; }
 
  private:
+  Rgb metal(float cosine) const {
+    const Rgb bare = schlick(base_, Rgb(1), cosine);
+    return film_part_ > 0 ? bare + (film_.reflectance(cosine, base_) - bare) * film_part_ : bare;
+  }
+  // Of the gloss.
+  Rgb dielectric(float cosine) const {
+    const Rgb bare = schlick(f0_, f90_, cosine);
+    if (!(film_part_ > 0)) return bare;
+    const Rgb most = schlick(film_f0_, Rgb(1), cosine), film = film_.reflectance(cosine, bare_f0_);
+    const Rgb bound(std::min(film.r, most.r), std::min(film.g, most.g), std::min(film.b, most.b));
+    return bare + (bound * m_.specular - bare) * film_part_;
+  }
+  // What the film makes of the boundary's reflectance or transmittance: the factor.
+  Rgb film_on_glass(const Vec3& p, const Vec3& n) const {
+    const float eta = front_ ? m_.ior : 1 / m_.ior;
+    const bool reflects = n.z > 0;
+    const Vec3 half = reflects ? p + n : p + n * eta;
+    const float cos_p = std::min(std::fabs(dot(p, half)) / length(half), 1.0f);
+    const float cos2_t = refracted_cosine_squared(cos_p, eta);
+    if (!(cos2_t > 0)) return Rgb(1);
+    const float cos_t = std::sqrt(cos2_t), bare = fresnel_dielectric(cos_p, cos_t, eta);
+    const Rgb film = film_.reflectance_on(m_.ior, front_ ? cos_p : cos_t);
+    const Rgb whole = Rgb(bare) + (film - Rgb(bare)) * film_part_;
+    if (reflects) return bare > 1e-6f ? whole * (1 / bare) : Rgb(1);
+    return bare < 1 ? one_minus(whole) * (1 / (1 - bare)) : Rgb(1);
+  }
   MetalLoss loss(const Sight& from, const Sight& to) const { return MetalLoss(ggx_, from.loss, to.loss); }
 
   // T(p) T(n) / mean T of all that is above the diffuse base.
@@ -180,7 +227,7 @@ class Principled {
     if (!front || (m_.coat == 0 && is_black(m_.sheen))) {
       const SchlickAlbedo a =
           smooth_ ? SchlickAlbedo{1, kSchlickMean} : MetalAlbedo::get().both_mean(isotropic_alpha(ggx_, Vec3(0, 0, 1)));
-      mean = one_minus(f0_ * (a.all - a.grazing) + f90_ * a.grazing);
+      mean = one_minus(layer_f0_ * (a.all - a.grazing) + f90_ * a.grazing);
     } else {
       // Gauss's rule for 2 cos d(cos).
       static constexpr float kCosines[] = {0.355051026f, 0.844948974f};
@@ -200,6 +247,10 @@ class Principled {
   bool smooth_, refracts_, front_;
   float metal_, glass_, solid_, through_, coat_f0_;
   Rgb f0_, f90_;
+  ThinFilm film_;
+  float film_part_;
+  Rgb bare_f0_, film_f0_;  // of the gloss: without specular, and the film's most
+  Rgb layer_f0_;           // what is below the gloss gets no more than this leaves
 };
 
 // Turns a direction into the frame of the grooves, or back.
@@ -261,7 +312,7 @@ BsdfSample sample_principled(const Material& m, const Rgb& base, const Vec3& pre
       n = to_front(previous, s.next);
       if (s.specular) {
         const Principled::Sight to = principled.full_sight(n, principled.is_front(n));
-        s.weight *= principled.through_glass(from, to, n.z > 0) * (1 / chance);
+        s.weight *= principled.through_glass(from, to, p, n) * (1 / chance);
         s.next = turned(m, s.next, -1);
         return sampled_dirac(s, chance, to.chances[Glass]);
       }

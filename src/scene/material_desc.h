@@ -29,10 +29,14 @@ enum class Slot : uint8_t {
   DiffuseTransmission,
   Anisotropy,  // red and green the direction, 2 rg - 1; blue the number
   Mix,
+  Film,
+  FilmThickness,  // between the least and the material's own
 };
 
 struct TextureUse {
-  int texture = 0;  // index into SceneDesc::textures
+  int texture = 0;  // index into SceneDesc::textures, or host_textures
+  bool is_hosts = false;
+  uint32_t answer = 0;  // of the host's: which of its material's answers is its first
   Slot slot = Slot::Reflectance;
   uint8_t channel = 0;
   bool squared = false;  // the texture's number counts by its square
@@ -47,10 +51,12 @@ struct MaterialDesc : Material {
 
   std::vector<TextureUse> textures;
   Opacity opacity;
+  float least_film_thickness = 0;
   int interior = -1;        // index into SceneDesc::media: what its closed surfaces enclose
   uint32_t priority = 0;    // where they overlap others
   int mixed[2] = {-1, -1};  // of a mix: indices into SceneDesc::materials
   std::shared_ptr<const HostMaterial> host_owner;
+  uint32_t answers = 0;  // of the host's textures, for each hit; see HostLookups
 
   // Whether a copy of the numbers is needed at each point; the reflectance is the vertex's own.
   bool varies() const {

@@ -77,6 +77,11 @@ uint64_t hash_scene(const SceneDesc& desc) {
     }
   }
   for (const auto& t : desc.textures) h = hash_combine(h, t ? t->content_hash() : 0);
+  for (const auto& t : desc.host_textures) {
+    h = hash_combine(h, t->hash);
+    add(t->maximum);
+    add(t->step);
+  }
   for (const MaterialDesc& m : desc.materials) {
     const float numbers[] = {m.reflectance.r, m.reflectance.g, m.reflectance.b, m.eta.r,      m.eta.g,
                              m.eta.b,         m.k.r,           m.k.g,           m.k.b,        m.ior,
@@ -84,6 +89,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
     add(numbers);
     h = hash_combine(h, hash_values(int(m.type), m.one_sided, m.emission_two_sided));
     if (m.emission_group > 0) h = hash_combine(h, m.emission_group);
+    if (m.film > 0) add(std::array{m.film, m.film_ior, m.film_thickness, m.least_film_thickness});
     add_numbers(m, add);
     const auto add_lookup = [&](int texture, int channel, const UvMap& uv, const TextureSampler& s) {
       add(uv.m);
@@ -94,6 +100,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
       add_lookup(use.texture, use.channel, use.uv, use.sampler);
       add(use.scale);
       h = hash_combine(h, hash_values(int(use.slot), use.squared));
+      if (use.is_hosts) h = hash_combine(h, 1);
     }
     if (m.interior >= 0 || m.priority > 0) h = hash_combine(h, hash_values(m.interior, m.priority));
     if (m.opacity.mode != Opacity::Mode::Opaque) {
@@ -154,6 +161,7 @@ Scene::Scene(SceneDesc desc, const std::shared_ptr<const RayDevice>& device, con
   for (MaterialDesc& m : desc_.materials)
     for (int i = 0; i < 2 && m.type == MaterialType::Mix; ++i) m.parts[i] = &desc_.materials[size_t(m.mixed[i])];
 
+  number_answers();
   booking_ = Booking(meter, world_position_bytes(), "the scene's world positions");
   number_enclosures();
   place_instances();
@@ -255,6 +263,7 @@ void Scene::place_instances() {
     instance.is_plain = instance.material->textures.empty() && !instance.material->is_anisotropic() &&
                         !(shape.mesh && !shape.mesh->colors.empty());
     instance.varies = varies(*instance.material);
+    instance.asks_host = asks_host(*instance.material);
     instance.identity = d.transform.is_identity() && !d.moves;
     instance.handedness = d.transform.determinant() < 0 ? -1.0f : 1.0f;
     if (shape.mesh) {

@@ -6,6 +6,7 @@
 #include "geometry/margin.h"
 #include "light/lights.h"
 #include "material/material_store.h"
+#include "scene/host_lookups.h"
 #include "scene/interiors.h"
 #include "scene/scene_desc.h"
 
@@ -99,8 +100,13 @@ class Scene {
 
   // The geometry at a hit of a ray; false where it is too degenerate to have a normal.
   bool surface(const Ray& ray, const Hit& hit, Surface& surface) const;
-  // What textures and colours make of it: reflectance, shading normal, tangent, and the material's numbers.
-  void shade(const Hit& hit, Surface& surface, MaterialStore& store) const;
+  // What textures and colours make of it: reflectance, shading normal, tangent, and the material's numbers. answers:
+  // of the host's textures, if there are any.
+  void shade(const Hit& hit, Surface& surface, MaterialStore& store, const Rgba* answers = nullptr) const;
+  // Those of the host's are asked before, for many hits at once.
+  bool has_host_textures() const { return !desc_.host_textures.empty(); }
+  const HostLookups::Textures& host_textures() const { return desc_.host_textures; }
+  void gather(const Ray& ray, const Hit& hit, HostLookups& lookups) const;
 
  private:
   struct Instance {
@@ -110,6 +116,7 @@ class Scene {
     const MaterialDesc* material = nullptr;
     bool is_plain = true;  // there is nothing to shade
     bool varies = false;   // its material's numbers are those of the place
+    bool asks_host = false;
     Transform transform, inverse;
     const Transform* end = nullptr;  // at time 1, of what moves
     View<Vec3> world_positions;      // empty where the mesh is instanced
@@ -124,7 +131,13 @@ class Scene {
     Instance at(float time) const;
   };
   bool surface_of(const Instance& instance, const Ray& ray, const Hit& hit, Surface& surface) const;
-  void shade_as(const Instance& instance, const Hit& hit, Surface& surface, MaterialStore& store) const;
+  void shade_as(const Instance& instance, const Hit& hit, Surface& surface, MaterialStore& store,
+                const Rgba* answers) const;
+  void gather_as(const Instance& instance, const Ray& ray, const Hit& hit, HostLookups& lookups) const;
+  void gather(const MaterialDesc& material, const Instance& instance, const Hit& hit, const Surface& surface,
+              HostLookups& lookups) const;
+  void number_answers();
+  bool asks_host(const MaterialDesc& material) const;
 
   View<Vec3> object_positions(const Mesh& mesh);
   const OpacityTest* opacity_test(const Instance& instance);
@@ -145,11 +158,15 @@ class Scene {
   Vec2 uv_at(const Instance& instance, int set, const Hit& hit, const Vec3& ng) const;
   bool uv_frame(const Instance& instance, int set, const Hit& hit, const Vec3& ng, UvFrame& frame) const;
   bool varies(const MaterialDesc& material) const;
-  void vary(const MaterialDesc& material, const Instance& instance, const Hit& hit, const Vec3& ng, Rgb& reflectance,
-            Material* own) const;
+  // With the derivatives by the texture's own coordinates; false where they do not vary.
+  bool uv_frame(const Instance& instance, const TextureUse& use, const Hit& hit, const Vec3& ng, UvFrame& frame) const;
+  Vec2 step_of(const TextureUse& use) const;
+  void vary(const MaterialDesc& material, const Instance& instance, const Hit& hit, const Vec3& ng, const Rgba* answers,
+            Rgb& reflectance, Material* own) const;
   const Material* part(const MaterialDesc& mix, int index, const Instance& instance, const Hit& hit, const Vec3& ng,
-                       MaterialStore& store) const;
-  void bend_normal(const Instance& instance, const TextureUse& use, const Hit& hit, Surface& surface) const;
+                       const Rgba* answers, MaterialStore& store) const;
+  void bend_normal(const Instance& instance, const TextureUse& use, const Hit& hit, const Rgba* answers,
+                   Surface& surface) const;
 
   SceneDesc desc_;
   std::vector<Instance> instances_;

@@ -1,6 +1,7 @@
 // What a scene is made of, as the builder hands it over: validated, with indices in place of ids.
 #pragma once
 
+#include "geometry/host_texture.h"
 #include "geometry/mesh.h"
 #include "geometry/texture.h"
 #include "light/light_desc.h"
@@ -29,6 +30,7 @@ struct InstanceDesc {
 struct SceneDesc {
   std::vector<Shape> shapes;
   std::vector<std::shared_ptr<const Texture>> textures;
+  std::vector<std::shared_ptr<const HostTexture>> host_textures;
   std::vector<MaterialDesc> materials;
   std::vector<std::shared_ptr<const Medium>> media;
   int outside = -1;               // the medium outside of all that encloses one

@@ -360,7 +360,7 @@ size_t Block::memory() const {
          arrivals_.capacity() * sizeof(Arrival) + eye_sums_.capacity() * sizeof(Rgb) +
          eye_weights_.capacity() * sizeof(float) + responses_.memory() + crossings_.capacity() * sizeof(Crossing) +
          pixel_samples_.capacity() * sizeof(PixelSample) + places_.capacity() * sizeof(SamplePlace) +
-         kept_.capacity() * sizeof(Contribution) + plan_memory_;
+         kept_.capacity() * sizeof(Contribution) + host_lookups_.memory() + plan_memory_;
 }
 
 }  // namespace bdpt

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "material/material_store.h"
+#include "scene/host_lookups.h"
 #include "transport/chain.h"
 #include "transport/mis.h"
 #include "transport/responses.h"
@@ -210,10 +211,14 @@ class Block {
   void join_inner(const Plan& plan);
   void extend();
   void trace();
+  // Asks the host's textures for all hits of the wave.
+  void ask_host();
+  // What textures make of what a walker hit. False where the host's broke their promise: then the walk is rejected.
+  bool shade(size_t walker, Surface& surface);
   void push_walker(std::vector<Walker>& walkers, std::vector<Ray>& rays, const Walker& walker, const Vec3& from);
-  void arrive(const Walker& walker, const Ray& ray, const Hit& hit);
+  void arrive(size_t walker);
   // The same of a walker where media count.
-  void travel(const Walker& walker, const Ray& ray, const Hit& hit);
+  void travel(size_t walker);
   void arrive_on(const Walker& walker, const Hit& hit, const Surface& surface);
   void arrive_in(const Walker& walker, const Medium& medium, const Vec3& p);
   // Ends the walker's way after one more stretch, with its throughput; false where nothing comes so far.
@@ -305,6 +310,7 @@ class Block {
   std::vector<Walker> walkers_, next_walkers_;
   std::vector<Ray> rays_, next_rays_;
   std::vector<Hit> hits_;
+  HostLookups host_lookups_;  // of the hits
   std::vector<Arrival> arrivals_;
   std::vector<Ray> shadow_rays_;
   std::vector<Connection> connections_;

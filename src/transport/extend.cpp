@@ -30,6 +30,7 @@ void Block::extend() {
     {
       StageTimer timer(stats_.extend);
       trace();
+      if (engine_.scene.has_host_textures()) ask_host();
       next_walkers_.clear();
       next_rays_.clear();
       arrivals_.clear();
@@ -38,7 +39,7 @@ void Block::extend() {
         ++(w.eye ? stats_.eye_rays : stats_.light_rays);
         if (w.eye && w.count == 1 && responses_.sees()) see(w, rays_[i], hits_[i]);
         if (engine_.media) {
-          travel(w, rays_[i], hits_[i]);
+          travel(i);
           continue;
         }
         if (!w.eye && engine_.hit_sensor) {
@@ -48,7 +49,7 @@ void Block::extend() {
         if (hits_[i].instance == kMiss)
           escape(w);
         else
-          arrive(w, rays_[i], hits_[i]);
+          arrive(i);
       }
       std::swap(walkers_, next_walkers_);
       std::swap(rays_, next_rays_);
@@ -98,11 +99,30 @@ float Block::technique(const Walker& w, const Vertex& v) const {
   return w.eye ? c.t1 : c.s1 * v.direct;
 }
 
-void Block::arrive(const Walker& w, const Ray& ray, const Hit& hit) {
+void Block::ask_host() {
+  host_lookups_.clear();
+  for (size_t i = 0; i < hits_.size(); ++i) engine_.scene.gather(rays_[i], hits_[i], host_lookups_);
+  host_lookups_.ask(engine_.scene.host_textures());
+}
+
+bool Block::shade(size_t walker, Surface& surface) {
+  const Walker& w = walkers_[walker];
+  const Rgba* answers = nullptr;
+  if (engine_.scene.has_host_textures()) {
+    if (!host_lookups_.is_sound(walker)) {
+      reject_walk(w);
+      return false;
+    }
+    answers = host_lookups_.of(walker);
+  }
+  engine_.scene.shade(hits_[walker], surface, w.eye ? eye_.materials : light_.materials, answers);
+  return true;
+}
+
+void Block::arrive(size_t walker) {
   Surface surface;
-  if (!engine_.scene.surface(ray, hit, surface)) return;
-  engine_.scene.shade(hit, surface, w.eye ? eye_.materials : light_.materials);
-  arrive_on(w, hit, surface);
+  if (!engine_.scene.surface(rays_[walker], hits_[walker], surface)) return;
+  if (shade(walker, surface)) arrive_on(walkers_[walker], hits_[walker], surface);
 }
 
 Vertex* Block::add_vertex(const Walker& w, const Vec3& p, float geometry, bool in_medium) {

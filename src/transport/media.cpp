@@ -6,7 +6,10 @@
 
 namespace bdpt {
 
-void Block::travel(const Walker& w, const Ray& ray, const Hit& hit) {
+void Block::travel(size_t walker) {
+  const Walker& w = walkers_[walker];
+  const Ray& ray = rays_[walker];
+  const Hit& hit = hits_[walker];
   const Scene& scene = engine_.scene;
   const Medium* const medium = scene.interiors().medium(w.interior);
   const bool miss = hit.instance == kMiss;
@@ -44,13 +47,13 @@ void Block::travel(const Walker& w, const Ray& ray, const Hit& hit) {
     return;
   }
   if (!end_passage(on, medium, hit.t, false)) return;
-  MaterialStore& store = w.eye ? eye_.materials : light_.materials;
-  scene.shade(hit, surface, store);
+  if (!shade(walker, surface)) return;
   if (surface.material->encloses != 0) {  // its index is relative to what is round it
     const Interior round = from_front ? w.interior : w.interior.left(surface.material->encloses);
     if (const float ior = scene.interiors().ior(round); ior != 1) {
-      Material& own = store.add(*surface.material);
+      Material& own = (w.eye ? eye_.materials : light_.materials).add(*surface.material);
       own.ior /= ior;
+      own.film_ior /= ior, own.film_thickness *= ior;
       surface.material = &own;
     }
   }

@@ -10,6 +10,7 @@ namespace {
 constexpr float kSmoothAlpha = 1e-3f;  // below it a surface is smooth
 constexpr float kMinIor = 1, kMaxIor = 10, kDefaultIor = 1.5f;
 constexpr float kDark = 1e-6f;  // of a colour that must not be zero
+constexpr float kIndexMatched = 1e-4f, kMostFilmIor = 10, kMostFilmThickness = 1e5f;
 
 const TextureDescription& texture_of(const SceneDescription& scene, const TextureUse& use) {
   return scene.textures[static_cast<std::size_t>(use.texture)];
@@ -82,10 +83,24 @@ class Lowering {
     bound(p.specular_color.factor, "a colour of gloss above 1 becomes 1");
     bound(p.sheen_color.factor, "a colour of sheen above 1 becomes 1");
     for (float& channel : p.specular_color.factor) channel = std::max(channel, kDark);
-    if (p.iridescence.factor > 0) note("iridescence is left out");
+    if (p.iridescence.factor > 0) lower_film(p);
     if (p.dispersion > 0) note("dispersion is left out: this program works in RGB");
     if (p.clearcoat.factor > 0 && p.clearcoat_normal.texture.texture >= 0)
       note("normal maps of clear coats are left out: they are those of what lies below");
+  }
+
+  void lower_film(PrincipledDescription& p) {
+    if (p.transmission.factor > 0 && p.thickness.factor > 0 && std::abs(to_.ior - 1) < kIndexMatched) {
+      note("iridescence of what does not refract is left out");
+      p.iridescence = {.factor = 0, .texture = {}, .channel = 0};
+    }
+    const auto bound_film = [&](float& value, float most, const char* text) {
+      if (value > most) note(text);
+      value = std::min(value, most);
+    };
+    bound_film(p.iridescence_ior, kMostFilmIor, "films of an index above 10 have one of 10");
+    for (float* thickness : {&p.iridescence_thickness.factor, &p.iridescence_thickness_min})
+      bound_film(*thickness, kMostFilmThickness, "films thicker than 100 micrometres are so thick");
   }
 
   void bound(Rgb& color, const char* text) {

@@ -209,7 +209,19 @@ class Uploader {
     desc.anisotropy = p.anisotropy.factor;
     desc.anisotropy_rotation = p.anisotropy_rotation * kDegrees;
     if (desc.anisotropy != 0) use(p.anisotropy.texture, BDPT_SLOT_ANISOTROPY, 0, 0, uses);
+    if (p.iridescence.factor > 0) set_film(p, desc, uses);
     if (desc.transmission > 0 && !desc.thin_walled) desc.interior = absorption(material);
+  }
+
+  // Source: KHR_materials_iridescence.
+  void set_film(const PrincipledDescription& p, bdpt_material_desc& desc, std::vector<bdpt_texture_use>& uses) {
+    constexpr float kNothing = 1e-3f;  // nanometres; 0 is the default
+    desc.iridescence = number(p.iridescence, BDPT_SLOT_IRIDESCENCE, uses);
+    desc.iridescence_ior = p.iridescence_ior;
+    desc.iridescence_thickness = std::max(p.iridescence_thickness.factor, kNothing);
+    if (p.iridescence_thickness.texture.texture < 0) return;
+    use(p.iridescence_thickness.texture, BDPT_SLOT_IRIDESCENCE_THICKNESS, p.iridescence_thickness.channel, 0, uses);
+    desc.iridescence_thickness_minimum = p.iridescence_thickness_min;
   }
 
   // What is left after the distance has the colour. Source: KHR_materials_volume.
