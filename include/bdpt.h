@@ -622,6 +622,12 @@ typedef struct bdpt_photometry {
   const float *intensities;       /* all vertical angles of the first horizontal one, then of the next; >= 0 */
 } bdpt_photometry;
 
+/* A rectangle through which light comes from infinitely far: a window, seen from either side. */
+typedef struct bdpt_portal {
+  float corner[3];
+  float edge_u[3], edge_v[3]; /* from the corner, of any length but zero, at right angles */
+} bdpt_portal;
+
 /* Area lights are instances whose material emits. A scene takes any number of lights of each kind; their light adds up. */
 typedef struct bdpt_light_desc {
   uint32_t struct_size;
@@ -650,6 +656,11 @@ typedef struct bdpt_light_desc {
                              any length. Zero, or along the direction: +y, or -z where that is along it, too */
   uint32_t reserved_2;
   const bdpt_photometry *photometry; /* point: multiplies the intensity; NULL = the same in all directions */
+  const bdpt_portal *portals; /* environment, directional: where its light finds a way in, as rectangles in the world; copied.
+                                 Hints: half of the samples go through them. A portal too many, too few or out of place
+                                 costs time, and never changes what the picture converges to */
+  uint32_t portal_count;      /* [0,64] */
+  uint32_t reserved_3;
 } bdpt_light_desc;
 
 /* Adds a light.

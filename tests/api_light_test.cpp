@@ -105,6 +105,31 @@ TEST_F(ApiLight, TablesOfIntensitiesMustBeWhole) {
   expect_refused(point, "direction", [](auto& d) { d.direction[1] = 0; });
 }
 
+TEST_F(ApiLight, PortalsAreRectanglesOfLightsFromFarAway) {
+  const bdpt_portal window = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
+  const auto expect = [&](const char* field, const std::function<void(bdpt_portal&)>& spoil) {
+    bdpt_portal portals[] = {window, window};
+    spoil(portals[1]);
+    bdpt_light_desc desc = desc_of(BDPT_LIGHT_ENVIRONMENT);
+    desc.portals = portals, desc.portal_count = 1;
+    expect_refused(desc, field, [](auto& d) { d.portal_count = 2; });
+  };
+  expect("portals[1].corner", [](auto& p) { p.corner[2] = std::numeric_limits<float>::infinity(); });
+  expect("portals[1].edge_u", [](auto& p) { p.edge_u[0] = std::numeric_limits<float>::quiet_NaN(); });
+  expect("has at 1 an edge of length zero", [](auto& p) { p.edge_v[1] = 0; });
+  expect("has at 1 edges at an angle of 45 degrees", [](auto& p) { p.edge_v[0] = 2; });
+  for (bdpt_light_type type : {BDPT_LIGHT_POINT, BDPT_LIGHT_SPOT})
+    expect_refused(desc_of(type), "portal_count", [&](auto& d) { d.portals = &window, d.portal_count = 1; });
+  const std::vector<bdpt_portal> many(65, window);
+  for (bdpt_light_type type : {BDPT_LIGHT_ENVIRONMENT, BDPT_LIGHT_DIRECTIONAL}) {
+    bdpt_light_desc desc = desc_of(type);
+    desc.portals = many.data(), desc.portal_count = 64;
+    expect_refused(desc, "portal_count", [&](auto& d) { d.portal_count = 65; });
+    expect_refused(desc, "portals", [&](auto& d) { d.portals = nullptr; });
+    expect_refused(desc, "reserved_3", [&](auto& d) { d.reserved_3 = 1; });
+  }
+}
+
 TEST_F(ApiLight, ATextureInUseStays) {
   const bdpt_texture_id sky = add_sky();
   bdpt_light_desc desc = desc_of(BDPT_LIGHT_ENVIRONMENT);
@@ -148,6 +173,9 @@ TEST_F(ApiLight, EveryKindLightsAScene) {
   descs.push_back(desc_of(BDPT_LIGHT_ENVIRONMENT)), descs.back().texture = sky;
   descs.push_back(desc_of(BDPT_LIGHT_SPOT)), descs.back().texture = sky;
   descs.push_back(desc_of(BDPT_LIGHT_POINT)), descs.back().photometry = &measured;
+  const bdpt_portal portals[] = {{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}}, {{-1, -1, 2}, {2, 0, 0}, {0, 2, 0}}};
+  for (uint32_t count : {1, 2})
+    descs.push_back(desc_of(BDPT_LIGHT_ENVIRONMENT)), descs.back().portals = portals, descs.back().portal_count = count;
   const bdpt_instance_desc floor = instance_desc(add_square(builder_.get()), add_grey(builder_.get()));
   bdpt_instance_id instance{};
   ASSERT_OK(bdpt_instance_add(builder_.get(), &floor, &instance));

@@ -45,12 +45,12 @@ TEST(LightDensity, OfAStartIsThatOfItsPositionTimesThatOfItsDirection) {
   const Discrete table = uneven(lights.count());
   for (const LightChoice& by : {LightChoice{}, LightChoice{.uniform = true}, LightChoice{.table = &table}})
     for (int i = 0; i < 20000; ++i) {
-      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[3] = {uniform(), uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(lights.start(u, v, by, start));
       ++seen[size_t(start.y0.light)];
       EXPECT_FLOAT_EQ(start.density_position, lights.position_density(start.y0, by));
-      EXPECT_FLOAT_EQ(start.density_direction, lights.direction_density(start.y0, start.direction));
+      EXPECT_FLOAT_EQ(start.density_direction, lights.direction_density(start.y0, start.origin, start.direction));
       EXPECT_NEAR(length(start.direction), 1, 1e-5);
       const Rgb radiance = lights.emitted(start.y0, start.direction);
       const double expected = double(radiance.g) / (double(start.density_position) * start.density_direction);
@@ -81,7 +81,7 @@ TEST(LightDensity, StartsCarryThePower) {
     Uniform uniform(2);
     std::vector<Estimate> power(lights.count());
     for (int i = 0; i < 200000; ++i) {
-      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[3] = {uniform(), uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(lights.start(u, v, by, start));
       for (size_t k = 0; k < power.size(); ++k) power[k].add(int(k) == start.y0.light ? double(start.weight.r) : 0);
@@ -142,7 +142,7 @@ TEST(LightDensity, OfDirectLightingIntegratesToOne) {
       const Receiver x = receiver_at(place, uniform, 1);
       Estimate integral;
       for (int i = 0; i < 200000; ++i) {
-        const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+        const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[3] = {uniform(), uniform(), uniform()};
         LightStart start;
         ASSERT_TRUE(lights.start(u, v, {true}, start));
         integral.add(lighting.density(start.y0, x) / start.density_position);
@@ -212,7 +212,7 @@ TEST(LightDensity, TransformedMeshesShineFromTheirFrontOverTheirTrueArea) {
     const auto scene = b.build();
     Uniform uniform(6);
     for (int i = 0; i < 100; ++i) {
-      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+      const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[3] = {uniform(), uniform(), uniform()};
       LightStart start;
       ASSERT_TRUE(scene->lights().start(u, v, {}, start));
       EXPECT_NEAR(start.density_position, 1 / 6.0, 1e-6);

@@ -65,11 +65,20 @@ class LightKinds : public testing::TestWithParam<Kind> {
   const Lights& light() const { return scene_->lights(); }
 
   LightStart start(Uniform& uniform) const {
-    const float u[4] = {uniform(), uniform(), uniform(), uniform()}, v[2] = {uniform(), uniform()};
+    const float u[4] = {uniform(), uniform(), uniform(), uniform()};
+    return start(u, uniform);
+  }
+  LightStart start(const float u[4], Uniform& uniform) const {
+    const float v[3] = {uniform(), uniform(), uniform()};
     LightStart start;
     EXPECT_TRUE(light().start(u, v, {}, start));
     return start;
   }
+  // Whether light from there could reach x: else it passes the scene.
+  bool may_reach(const LightPoint& y0, const Vec3& x) const {
+    return !y0.infinite || light().disk_distance(x, y0.normal) > 0;
+  }
+  Vec3 center() const { return (scene_->info().bounds_max + scene_->info().bounds_min) * 0.5f; }
   // Where on the light y0 is, on the square.
   static Vec2 place_of(const LightPoint& y0) {
     return GetParam().place == Kind::Place::Direction ? square_of(y0.normal) : Vec2((y0.p.x + 1) / 2, (y0.p.y + 1) / 2);
@@ -121,14 +130,16 @@ TEST_P(LightKinds, DirectionsOfStartsFollowTheirDensity) {
   Uniform uniform(2);
   Histogram histogram;
   LightStart s;
+  const float one[4] = {0.3f, 0.2f, 0.7f, 0.1f};  // of infinite lights, rays of one direction
+  const float radius = float(std::sqrt(disk_ / M_PI));
   for (int i = 0; i < 100000; ++i) {
     s = start(uniform);
+    if (s.y0.infinite) s = start(one, uniform);
     EXPECT_NEAR(length(s.direction), 1, 1e-5);
-    EXPECT_FLOAT_EQ(s.density_direction, light().direction_density(s.y0, s.direction));
-    if (s.y0.infinite) {  // evenly over the disk that is the scene's shadow
+    EXPECT_FLOAT_EQ(s.density_direction, light().direction_density(s.y0, s.origin, s.direction));
+    if (s.y0.infinite && s.density_direction > 0) {  // on the disk that is the scene's shadow
       EXPECT_NEAR(dot(s.direction, s.y0.normal), -1, 1e-6);
-      const Vec3 center = (scene_->info().bounds_max + scene_->info().bounds_min) * 0.5f;
-      const Vec3 p = Frame(s.y0.normal).to_local(s.origin - center) * float(std::sqrt(M_PI / disk_));
+      const Vec3 p = Frame(s.y0.normal).to_local(s.origin - center()) * (1 / radius);
       EXPECT_NEAR(p.z, 1, 1e-4);
       histogram.add({p.x * p.x + p.y * p.y, (std::atan2(p.y, p.x) + kPi) / kTwoPi});
     } else if (s.density_direction == 0) {
@@ -138,12 +149,16 @@ TEST_P(LightKinds, DirectionsOfStartsFollowTheirDensity) {
     }
   }
   EXPECT_GT(histogram.chance([&](const Vec2& place) -> float {
-    if (s.y0.infinite) return s.density_direction * float(disk_);
+    if (s.y0.infinite) {
+      const float r = std::sqrt(place.x), phi = kTwoPi * place.y - kPi;
+      const Vec3 across = Frame(s.y0.normal).to_world(Vec3(r * std::cos(phi), r * std::sin(phi), 0));
+      return light().direction_density(s.y0, center() + across * radius, s.direction) * float(disk_);
+    }
     Vec3 w = direction_of(place);
-    if (!s.y0.has_area) return light().direction_density(s.y0, w) * 4 * kPi;
+    if (!s.y0.has_area) return light().direction_density(s.y0, Vec3(0), w) * 4 * kPi;
     const float cosine = std::fabs(w.z);
     w = Frame(s.y0.normal).to_world(w);
-    return light().direction_density(s.y0, w) * cosine * 4 * kPi;
+    return light().direction_density(s.y0, Vec3(0), w) * cosine * 4 * kPi;
   }),
             statistics::kSignificance);
 }
@@ -179,6 +194,25 @@ TEST_P(LightKinds, DirectLightingFollowsItsDensity) {
   }
 }
 
+// Of a Dirac the density is its coefficient, one, whoever asks.
+TEST_P(LightKinds, APointOrADirectionHasADensityOfOne) {
+  if (GetParam().place != Kind::Place::Point) return;
+  const DirectLighting lighting(light(), LightSelection::Power);
+  Uniform uniform(8);
+  int lit = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const LightStart s = start(uniform);
+    EXPECT_EQ(s.density_position, 1);
+    const Receiver x = {Vec3(uniform(), uniform(), uniform()) * 4 - Vec3(2), Vec3(0)};
+    EXPECT_EQ(lighting.density(s.y0, x), 1);
+    DirectLight direct;
+    if (!lighting.sample(x, 0, double(uniform()), uniform(), uniform(), direct)) continue;
+    ++lit;
+    EXPECT_EQ(direct.density, 1);
+  }
+  EXPECT_GT(lit, 20);
+}
+
 TEST_P(LightKinds, StartsAndDirectLightingKnowTheSameEmission) {
   Uniform uniform(4);
   const DirectLighting lighting(light(), LightSelection::Power);
@@ -186,8 +220,8 @@ TEST_P(LightKinds, StartsAndDirectLightingKnowTheSameEmission) {
     const LightStart s = start(uniform);
     const Rgb emitted = light().emitted(s.y0, s.direction);
     const double expected = double(emitted.g) / (double(s.density_position) * double(s.density_direction));
-    EXPECT_EQ(is_black(s.weight), is_black(emitted));
-    if (is_black(emitted)) continue;
+    EXPECT_EQ(is_black(s.weight), is_black(emitted) || s.density_direction == 0);
+    if (is_black(s.weight)) continue;
     EXPECT_NEAR(s.weight.g, expected, 1e-5 * expected);
     const Vec3 x(uniform() * 4 - 2, uniform() * 4 - 2, uniform() * 4 - 2);
     DirectLight direct;
@@ -198,7 +232,7 @@ TEST_P(LightKinds, StartsAndDirectLightingKnowTheSameEmission) {
     // Whatever arrives, light subpaths can bring it, but at an edge, for rounding.
     if (norm(radiance) < 1e-5f) continue;
     EXPECT_GT(light().position_density(direct.y0, {}), 0);
-    EXPECT_GT(light().direction_density(direct.y0, -direct.direction), 0);
+    EXPECT_TRUE(!may_reach(direct.y0, x) || light().direction_density(direct.y0, x, -direct.direction) > 0);
   }
 }
 
@@ -216,7 +250,7 @@ TEST_P(LightKinds, WhatShinesMayBeSampled) {
     if (is_black(light().emitted(y0, w))) continue;
     ++shining;
     EXPECT_GT(light().position_density(y0, {}), 0);
-    EXPECT_GT(light().direction_density(y0, w), 0);
+    EXPECT_TRUE(!may_reach(y0, x) || light().direction_density(y0, x, w) > 0);
     const bool far_side = !y0.infinite && GetParam().place == Kind::Place::Direction;  // of a sphere
     EXPECT_TRUE(far_side || light().direct_density(y0, x, 1) > 0);
   }

@@ -82,6 +82,20 @@ inline void add_textured(scenes::Builder& b, bool two_sided) {
   b.add(with_uv(square()), scenes::textured(scenes::emitter(Rgb(1, 2, 1), two_sided), Slot::Emission, texture));
 }
 
+// Three, of which rays meet two, and one is beside the scene in part.
+inline LightDesc with_portals(LightDesc l) {
+  l.portals = {{Vec3(-1, -1, -1), Vec3(2, 0.5f, 0), Vec3(-0.5f, 2, 0)},
+               {Vec3(1, -1.5f, -2), Vec3(-1, 0, 2), Vec3(0, 3, 0)},
+               {Vec3(2, 3, -3), Vec3(0, 0, 3), Vec3(3, 0, 0)}};
+  return l;
+}
+inline LightDesc environment(const Rgb& radiance) {
+  LightDesc l;
+  l.type = LightType::Environment;
+  l.radiance = radiance;
+  return l;
+}
+
 inline std::vector<Kind> kinds() {
   using scenes::Builder;
   using Place = Kind::Place;
@@ -109,6 +123,11 @@ inline std::vector<Kind> kinds() {
       {"photometric", [](Builder& b) { b.light(luminaire(90)); }, Place::Point},
       {"photometric, alike", [](Builder& b) { b.light(luminaire(0)); }, Place::Point},
       {"sun", [](Builder& b) { b.light(scenes::directional(20)); }, Place::Direction},
+      {"environment, portals", [=](Builder& b) { b.light(with_portals(environment(c))); }, Place::Direction},
+      {"environment map, portals", [](Builder& b) { b.light(with_portals(scenes::environment_map())); },
+       Place::Direction},
+      {"directional, portals", [](Builder& b) { b.light(with_portals(scenes::directional(0))); }, Place::Point, 4},
+      {"sun, portals", [](Builder& b) { b.light(with_portals(scenes::directional(20))); }, Place::Direction},
   };
 }
 

@@ -226,6 +226,11 @@ inline LightDesc directional(double degrees, const Rgb& irradiance = Rgb(3, 4, 5
   return l;
 }
 
+// The hole of the room's ceiling, and more or less of it; or raised by so much.
+inline Portal skylight(float raised = 0, float part = 1) {
+  return {Vec3(-1, 1 + raised, 0.4f), Vec3(2 * part, 0, 0), Vec3(0, 0.3f * raised, 0.6f)};
+}
+
 // --- Scenes ---
 
 class Builder {

@@ -72,7 +72,7 @@ Densities densities_of(const Path& path, const Scene& scene, const Engine& engin
   const double position = lights.position_density(path.light, engine.light_choice());
   d.direct = k > 1 ? engine.direct_lighting.density(path.light, path.points[1].surface->receiver()) / position : 1;
   d.vertices[0].light = position;
-  d.vertices[1].light = lights.direction_density(path.light, unit(at(1) - at(0))) * geometry(0);
+  d.vertices[1].light = lights.direction_density(path.light, at(1), unit(at(1) - at(0))) * geometry(0);
   for (size_t i = 1; i < k; ++i)
     d.vertices[i + 1].light =
         scattered(*path.points[i].surface, at(i - 1), at(i + 1), TransportMode::Importance) * geometry(i);
@@ -297,6 +297,14 @@ TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithLightsAtInfinity) {
   // Few light subpaths find the hole in the ceiling.
   expect_product_weights(room, StartBy::Power, {}, LightSelection::Power, 1, false, nullptr, 400);
   expect_product_weights(room, StartBy::Uniform, {}, LightSelection::Tree, 1, false, nullptr, 400);
+}
+
+TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithPortals) {
+  scenes::RoomOptions room{.contents = scenes::Contents::Glossy};
+  room.lights = {scenes::environment_map(), scenes::directional(0), scenes::directional(5)};
+  for (LightDesc& l : room.lights) l.portals = {scenes::skylight(), scenes::skylight(0.3f)};
+  expect_product_weights(room, StartBy::Power, {}, LightSelection::Power, 1, false, nullptr, 1000);
+  expect_product_weights(room, StartBy::Uniform, {}, LightSelection::Tree, 1, false, nullptr, 1000);
 }
 
 TEST(TransportWeights, AreThoseOfTheProductsOfDensitiesWithSeveralDirectSamples) {

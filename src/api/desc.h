@@ -84,7 +84,7 @@ static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 // Arrays and parts of other structs carry no size of their own: these can never change.
 static_assert(sizeof(bdpt_scattering_place) == 32 && sizeof(bdpt_scattering_value) == 20);
 static_assert(sizeof(bdpt_coverage) == 16 && sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 &&
-              sizeof(bdpt_point) == 32 && sizeof(bdpt_lens_surface) == 16 && sizeof(bdpt_measurement_start) == 56 &&
+              sizeof(bdpt_point) == 32 && sizeof(bdpt_portal) == 36 && sizeof(bdpt_lens_surface) == 16 && sizeof(bdpt_measurement_start) == 56 &&
               sizeof(bdpt_measurement_place) == 48 && sizeof(bdpt_measurement_landing) == 56 &&
               sizeof(bdpt_measurement_landed) == 32);
 static_assert(sizeof(bdpt_chromaticities) == 32);

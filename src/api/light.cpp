@@ -94,6 +94,31 @@ void read_environment(const Subject& subject, const bdpt_light_desc& desc, const
     subject.refuse("radiance", "times texels up to ", texture->maximum, " is no finite number: give less");
 }
 
+void read_portals(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
+  constexpr uint32_t kMaxPortals = 64;
+  constexpr float kMaxCosine = 1e-3f;  // that edges at right angles may have
+  if (desc.portal_count == 0) return;
+  if (light.has_position())
+    subject.refuse("portal_count", "is ", desc.portal_count,
+                   ": only environments and directional lights come through portals; set it to 0");
+  subject.check_range("portal_count", desc.portal_count, 0, kMaxPortals);
+  if (!desc.portals) subject.refuse("portals", "is NULL, but portal_count is ", desc.portal_count, ": pass the array");
+  for (uint32_t i = 0; i < desc.portal_count; ++i) {
+    const bdpt_portal& p = desc.portals[i];
+    for (const auto& [field, value] :
+         {std::pair("corner", p.corner), std::pair("edge_u", p.edge_u), std::pair("edge_v", p.edge_v)})
+      subject.check_finite(("portals[" + std::to_string(i) + "]." + field).c_str(), value, 3);
+    const Imath::V3d u(p.edge_u[0], p.edge_u[1], p.edge_u[2]), v(p.edge_v[0], p.edge_v[1], p.edge_v[2]);
+    if (u.length() == 0 || v.length() == 0)
+      subject.refuse("portals", "has at ", i, " an edge of length zero: give both edges of a rectangle");
+    const double cosine = u.normalized().dot(v.normalized());
+    if (std::fabs(cosine) > double(kMaxCosine))
+      subject.refuse("portals", "has at ", i, " edges at an angle of ", std::acos(cosine) * 180 / std::numbers::pi,
+                     " degrees: give edges at right angles");
+    light.portals.push_back({to_vec3(p.corner), to_vec3(p.edge_u), to_vec3(p.edge_v)});
+  }
+}
+
 LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
   const Subject subject("light", desc.label);
   subject.check_enum("type", desc.type, BDPT_LIGHT_DIRECTIONAL);
@@ -108,6 +133,7 @@ LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
   subject.check_finite("transform", desc.transform, 12);
   subject.check_finite("up", desc.up, 3);
   subject.check_reserved("reserved_2", desc.reserved_2);
+  subject.check_reserved("reserved_3", desc.reserved_3);
   subject.check_range("group", desc.group, 0, 63);
   const TextureEntry* texture = nullptr;
   if (desc.texture.id != 0) {
@@ -129,6 +155,7 @@ LightEntry read_light(bdpt_builder& builder, const bdpt_light_desc& desc) {
   if (desc.photometry) read_photometry(subject, desc, light);
   if (desc.type == BDPT_LIGHT_ENVIRONMENT) read_environment(subject, desc, texture, light);
   if (desc.type == BDPT_LIGHT_DIRECTIONAL) read_directional(subject, desc, light);
+  read_portals(subject, desc, light);
   return entry;
 }
 

@@ -20,7 +20,7 @@ inline Rgb emitted_by_area(const Light& light, const LightPoint& y0, const Vec3&
 }
 
 // (n + 2) / 2 pi cos^n, per projected solid angle.
-inline float direction_density_of_area(const Light& light, const LightPoint& y0, const Vec3& w) {
+inline float direction_density_of_area(const Light& light, const LightPoint& y0, const Vec3&, const Vec3& w) {
   float c = dot(y0.normal, w);
   if (light.two_sided) c = std::fabs(c);
   if (!(c > 0)) return 0;

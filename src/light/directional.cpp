@@ -6,7 +6,7 @@ namespace bdpt {
 
 namespace {
 
-struct Direction : LightData {
+struct Direction : InfiniteLight {
   Vec3 to_light;
 };
 
@@ -18,7 +18,7 @@ void place(const Light& light, const PlaceNumbers&, const Vec3&, LightPoint& y0)
 
 void start(const Light& light, const StartNumbers& u, LightStart& start) {
   start.y0.normal = to_light(light);
-  start_on_disk(light, u.v1, u.v2, start);
+  start_on_disk(light, u, start);
 }
 
 Rgb emitted(const Light& light, const LightPoint&, const Vec3&) { return light.radiance; }
@@ -35,6 +35,7 @@ std::unique_ptr<LightData> make_directional(const LightDesc& desc, Light& light)
   light.radiance = desc.irradiance;
   auto data = std::make_unique<Direction>();
   data->to_light = -desc.direction;
+  data->portals = Portals(desc.portals);
   return data;
 }
 

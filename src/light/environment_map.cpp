@@ -75,20 +75,22 @@ const EnvironmentMap& map_of(const Light& light) { return static_cast<const Envi
 
 double power(const Light& light) { return area_of_disk(light) * map_of(light).total(); }
 
-void place(const Light& light, const PlaceNumbers& u, const Vec3&, LightPoint& y0) {
-  y0.normal = map_of(light).sample(true, u.rest, u.u1, u.u2);
+void place(const Light& light, const PlaceNumbers& u, const Vec3& x, LightPoint& y0) {
+  double rest = u.rest;
+  if (!portals_of(light).sample_direction(x, rest, u.u1, u.u2, y0.normal))
+    y0.normal = map_of(light).sample(true, rest, u.u1, u.u2);
 }
 
 void start(const Light& light, const StartNumbers& u, LightStart& start) {
   start.y0.normal = map_of(light).sample(false, u.rest, u.u1, u.u2);
-  start_on_disk(light, u.v1, u.v2, start);
+  start_on_disk(light, u, start);
 }
 
 Rgb emitted(const Light& light, const LightPoint& y0, const Vec3&) { return map_of(light).radiance(y0.normal); }
 
 float position_density(const Light& light, const LightPoint& y0) { return map_of(light).density(false, y0.normal); }
-float direct_density(const Light& light, const LightPoint& y0, const Vec3&) {
-  return map_of(light).density(true, y0.normal);
+float direct_density(const Light& light, const LightPoint& y0, const Vec3& x) {
+  return portals_of(light).direction_density(x, y0.normal, map_of(light).density(true, y0.normal));
 }
 
 }  // namespace
@@ -98,7 +100,9 @@ const LightKind kEnvironmentMapLight =
 
 std::unique_ptr<LightData> make_environment_map(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::EnvironmentMap;
-  return std::make_unique<EnvironmentMap>(Picture(desc.texture, desc.radiance, true), desc.transform);
+  auto map = std::make_unique<EnvironmentMap>(Picture(desc.texture, desc.radiance, true), desc.transform);
+  map->portals = Portals(desc.portals);
+  return map;
 }
 
 }  // namespace bdpt

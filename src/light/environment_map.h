@@ -3,14 +3,14 @@
 // The middle of the picture is -z, its top +y, and to the right comes +x: what a camera at rest sees, wrapped round.
 #pragma once
 
-#include "light/light.h"
+#include "light/infinity.h"
 #include "light/picture.h"
 #include "light/texel_table.h"
 #include "math/transform.h"
 
 namespace bdpt {
 
-class EnvironmentMap : public LightData {
+class EnvironmentMap : public InfiniteLight {
  public:
   // to_world turns the picture (and may reflect it).
   EnvironmentMap(const Picture& picture, const Transform& to_world);

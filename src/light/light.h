@@ -3,8 +3,8 @@
 // Veach's convention: L_e is split into L_e^(0), a position, and L_e^(1), a direction, and the directional part is
 // treated as a BSDF at y0. Densities of position are per area, those of direction per projected solid angle. An
 // infinitely far light has no area: its y0 is a direction, its density of "position" is per solid angle, its density
-// of "direction" per area of the disk from which its rays start, and the geometry factor of its edge is the cosine at
-// the other end alone; with that every formula stays as it is. Of a light that is a Dirac, in position or direction,
+// of "direction" per area across it, that of the ray to y1, and the geometry factor of its edge is the cosine at the other
+// end alone; with that every formula stays as it is. Of a light that is a Dirac, in position or direction,
 // the density is the Dirac's coefficient, one.
 #pragma once
 
@@ -94,6 +94,7 @@ struct PlaceNumbers {
 };
 struct StartNumbers : PlaceNumbers {
   float v1, v2;
+  float way;  // chooses how the ray of an infinite light starts
 };
 
 // A kind of light: each is a file, and a line in kinds.h and kinds.cpp.
@@ -110,7 +111,7 @@ struct LightKind {
   Rgb (*emitted)(const Light&, const LightPoint& y0, const Vec3& w);
   // P_A(y0), P_sigma-perp(y0 -> x) for w from y0 to x (unit), and P_A^d(y0) at x; of this light alone.
   float (*position_density)(const Light&, const LightPoint& y0);
-  float (*direction_density)(const Light&, const LightPoint& y0, const Vec3& w);
+  float (*direction_density)(const Light&, const LightPoint& y0, const Vec3& x, const Vec3& w);
   float (*direct_density)(const Light&, const LightPoint& y0, const Vec3& x);
   // P_A^d(y0) of the triangle of a mesh alone.
   float (*density_in_triangle)(const Light&, const LightPoint& y0);

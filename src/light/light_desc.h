@@ -5,11 +5,17 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace bdpt {
 
 class Texture;
 struct Photometry;
+
+// A rectangle; its edges are of some length, at right angles but for rounding.
+struct Portal {
+  Vec3 corner, edge_u, edge_v;
+};
 
 enum class LightType { Point, Spot, Environment, Directional };
 
@@ -28,6 +34,7 @@ struct LightDesc {
   Transform transform;                           // of the environment's texture: orthonormal, may reflect
   Rgb irradiance;                                // directional: of a surface that faces it
   double angular_radius = 0;                     // directional, in radians: of a disc; 0: a Dirac
+  std::vector<Portal> portals;                   // environment, directional: hints, see Portals
   uint32_t group = 0;                            // below 64; outputs may ask for some groups' light
   uint64_t id = 0;                               // the host's; decides nothing
 

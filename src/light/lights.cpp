@@ -104,7 +104,7 @@ LightPoint Lights::point_of(int light) const {
   return y0;
 }
 
-bool Lights::start(const float u[4], const float v[2], const LightChoice& by, LightStart& start) const {
+bool Lights::start(const float u[4], const float v[3], const LightChoice& by, LightStart& start) const {
   if (empty()) return false;
   double rest = join(u[0], u[3]);
   const int light = choose(rest, by);
@@ -113,12 +113,13 @@ bool Lights::start(const float u[4], const float v[2], const LightChoice& by, Li
   const LightKind& kind = kind_of(l);
   start.y0 = point_of(light);
   const uint32_t triangle = choose_triangle(light, rest);
-  kind.start(l, {{rest, triangle, u[1], u[2]}, v[0], v[1]}, start);
+  kind.start(l, {{rest, triangle, u[1], u[2]}, v[0], v[1], v[2]}, start);
   start.density_position = chosen * kind.position_density(l, start.y0);
-  start.density_direction = kind.direction_density(l, start.y0, start.direction);
+  start.density_direction = kind.direction_density(l, start.y0, start.origin, start.direction);
   const Rgb emitted = kind.emitted(l, start.y0, start.direction);
   // What is rounded outward, at the very edge, has no density and carries nothing.
-  start.weight = is_black(emitted) ? Rgb() : emitted * (1 / (start.density_position * start.density_direction));
+  const float density = start.density_position * start.density_direction;
+  start.weight = is_black(emitted) || !(start.density_direction > 0) ? Rgb() : emitted * (1 / density);
   return true;
 }
 

@@ -51,8 +51,9 @@ class Lights {
   // What the tables of pictures among these will take.
   static uint64_t table_bytes(const std::vector<LightDesc>& lights);
 
-  // Starts a light subpath. u: choice, position 2, more of the choice; v: direction 2. False for a scene without light.
-  bool start(const float u[4], const float v[2], const LightChoice& by, LightStart& start) const;
+  // Starts a light subpath. u: choice, position 2, more of the choice; v: direction 2, and how rays of infinite lights
+  // start. False for a scene without light.
+  bool start(const float u[4], const float v[3], const LightChoice& by, LightStart& start) const;
   // The light that u chooses, and its probability; what is left of u can be used again.
   int choose(double& u, const LightChoice& by) const;
   float choice(int light, const LightChoice& by) const;
@@ -65,8 +66,8 @@ class Lights {
   // L_e(y0 -> x), w from y0 to x, of any length; of points, the intensity. Black from the dark side of an area light.
   Rgb emitted(const LightPoint& y0, const Vec3& w) const { return kind(y0).emitted(at(y0.light), y0, w); }
   // P_sigma-perp(y0 -> x) for w from y0 to x (unit).
-  float direction_density(const LightPoint& y0, const Vec3& w) const {
-    return kind(y0).direction_density(at(y0.light), y0, w);
+  float direction_density(const LightPoint& y0, const Vec3& x, const Vec3& w) const {
+    return kind(y0).direction_density(at(y0.light), y0, x, w);
   }
   // How far p is from the disk on which rays of infinite lights along -w (unit) start; not above 0 where none passes p.
   float disk_distance(const Vec3& p, const Vec3& w) const;

@@ -124,7 +124,7 @@ void start(const Light& light, const StartNumbers& u, LightStart& start) {
 Rgb emitted(const Light& light, const LightPoint&, const Vec3& w) {
   return light.radiance * photometric_of(light).intensity(w);
 }
-float direction_density(const Light& light, const LightPoint&, const Vec3& w) {
+float direction_density(const Light& light, const LightPoint&, const Vec3&, const Vec3& w) {
   return photometric_of(light).density(w);
 }
 

@@ -16,7 +16,7 @@ void start(const Light& light, const StartNumbers& u, LightStart& start) {
 }
 
 Rgb emitted(const Light& light, const LightPoint&, const Vec3&) { return light.radiance; }
-float direction_density(const Light&, const LightPoint&, const Vec3&) { return 0.25f * kInvPi; }
+float direction_density(const Light&, const LightPoint&, const Vec3&, const Vec3&) { return 0.25f * kInvPi; }
 
 }  // namespace
 

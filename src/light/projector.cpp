@@ -86,7 +86,9 @@ void start(const Light& light, const StartNumbers& u, LightStart& start) {
 }
 
 Rgb emitted(const Light& light, const LightPoint&, const Vec3& w) { return projector_of(light).intensity(w); }
-float direction_density(const Light& light, const LightPoint&, const Vec3& w) { return projector_of(light).density(w); }
+float direction_density(const Light& light, const LightPoint&, const Vec3&, const Vec3& w) {
+  return projector_of(light).density(w);
+}
 
 Emitter bounds(const Light& light, uint32_t) {
   const Projector& p = projector_of(light);

@@ -32,7 +32,7 @@ Rgb emitted(const Light& light, const LightPoint&, const Vec3& w) {
   return light.radiance * s.cone.falloff(dot(w, s.axis) / length(w));
 }
 
-float direction_density(const Light& light, const LightPoint&, const Vec3& w) {
+float direction_density(const Light& light, const LightPoint&, const Vec3&, const Vec3& w) {
   const Spot& s = spot_of(light);
   return dot(w, s.axis) > s.cone.cos_outer ? 1 / (kTwoPi * (1 - s.cone.cos_outer)) : 0;
 }

@@ -8,7 +8,7 @@ namespace bdpt {
 
 namespace {
 
-struct Sun : LightData {
+struct Sun : InfiniteLight {
   Vec3 to_light;
   float one_minus_cos;  // of its angular radius
   float density;        // 1 / solid angle
@@ -27,7 +27,7 @@ void place(const Light& light, const PlaceNumbers& u, const Vec3&, LightPoint& y
 
 void start(const Light& light, const StartNumbers& u, LightStart& start) {
   place(light, u, {}, start.y0);
-  start_on_disk(light, u.v1, u.v2, start);
+  start_on_disk(light, u, start);
 }
 
 // By the chord between unit vectors: a cosine would be too coarse for a disc so small.
@@ -52,6 +52,7 @@ std::unique_ptr<LightData> make_sun(const LightDesc& desc, Light& light) {
   light.kind = LightKindId::Sun;
   auto sun = std::make_unique<Sun>();
   sun->to_light = -desc.direction;
+  sun->portals = Portals(desc.portals);
   const double half = std::sin(desc.angular_radius / 2), whole = std::sin(desc.angular_radius);
   sun->one_minus_cos = float(2 * half * half);
   sun->density = float(1 / (4 * std::numbers::pi * half * half));

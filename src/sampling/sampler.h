@@ -35,7 +35,7 @@ inline Stream another(Stream stream, uint32_t number) {
 enum class Purpose : uint32_t {
   Start = 0,      // eye: film 2, lens 2. Light: choice of light, position 2
   Distance = 0,   // at a vertex: channel and distance in a medium
-  Direction = 1,  // light: first direction 2; eye: place in a volume 1
+  Direction = 1,  // light: first direction 2, how it starts; eye: place in a volume 1
   Partner = 1,    // at a vertex: eye: which light vertices it meets
   Scatter = 2,    // at a vertex: event, direction 2, roulette
   Connect = 3,    // at a vertex: eye: light and point on it (s = 1), of as many streams as wanted. Light: lens (t = 1),

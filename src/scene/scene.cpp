@@ -126,6 +126,11 @@ uint64_t hash_scene(const SceneDesc& desc) {
     }
     if (l.photometry) h = hash_combine(h, l.photometry->hash());
     if (l.photometry || l.texture) add(l.up);
+    for (const Portal& p : l.portals) {
+      add(p.corner);
+      add(p.edge_u);
+      add(p.edge_v);
+    }
   }
   for (const InstanceDesc& i : desc.instances) {
     add(i.transform.m);

@@ -190,7 +190,7 @@ Rgb Block::direct_contribution(const Vertex& z, uint32_t sample, const DirectLig
   const float to_y = geometry * passage.density_to(false), to_z = geometry * passage.density_back(z.in_medium());
 
   const float position = lights.position_density(y0, engine_.light_choice());
-  const float direction = lights.direction_density(y0, -w);
+  const float direction = lights.direction_density(y0, z.p, -w);
   if (engine_.running_sums) {
     // p_1 is that of direct lighting; all other p_i know y_0 by P_A (10.3.4.2).
     const PowerHeuristic& h = engine_.heuristic;
@@ -286,7 +286,7 @@ void Block::connect_start_to_sensor(uint32_t light) {
   }
 
   float weight = 1;
-  const float light_at_z0 = lights.direction_density(y0, w) * geometry * passage.density_to(false);
+  const float light_at_z0 = lights.direction_density(y0, z0.p, w) * geometry * passage.density_to(false);
   const float eye_at_y0 = z0.density_direction * geometry * passage.density_back(false);
   if (engine_.running_sums) {
     const float s0 = y0.hittable ? strategy.classes.s0 * eye_at_y0 / start.density_position : 0;

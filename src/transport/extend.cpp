@@ -218,7 +218,7 @@ void Block::hit_light(const Walker& w, const Vertex& z, const LightPoint& x0, co
   const Lights& lights = engine_.scene.lights();
   const bool corner = z.count == 2, at_camera = corner && !engine_.local;
   const float position = lights.position_density(x0, engine_.light_choice());
-  const float direction = lights.direction_density(x0, z.previous);
+  const float direction = lights.direction_density(x0, w.origin, z.previous);
   const float direct = at_camera    ? position
                        : w.specular ? 0
                                     : engine_.direct_lighting.density(x0, {w.origin, w.normal});
