@@ -100,6 +100,48 @@ TEST_F(ToolLight, APictureTakesThePlaceOfTheEnvironment) {
   expect_near(radiance(read_scene(folder_.file("scene.pbrt"), diagnostics_, options)), {1, 2, 3}, 1e-3f);
 }
 
+// In pbrt each window is a light of its own; here they are one environment, and light that comes in elsewhere counts,
+// too.
+TEST_F(ToolLight, PortalsOfOneEnvironmentAreItsWindows) {
+  const std::string camera = "LookAt 0 0 0 0 0 1 0 1 0\nCamera \"perspective\" \"float fov\" 0.5";
+  const auto sky = [](const std::string& light, const std::string& portal) {
+    return "Translate 5 0 0\nLightSource \"infinite\" " + light + " \"point3 portal\" [" + portal + "]\n";
+  };
+  const std::string value = "\"rgb L\" [1 2 3]", left = "-1 0 2  -3 0 2  -3 2 2  -1 2 2",
+                    right = "1 0 2  3 0 2  3 2 2  1 2 2";
+  const SceneDescription scene = read(camera, sky(value, left) + sky(value, right));
+  ASSERT_EQ(scene.lights.size(), 1u);
+  ASSERT_EQ(scene.lights[0].portals.size(), 2u);
+  EXPECT_EQ(scene.lights[0].portals[0].corner, (Rgb{-1, 0, 2}));
+  EXPECT_EQ(scene.lights[0].portals[0].edge_u, (Rgb{-2, 0, 0}));
+  EXPECT_EQ(scene.lights[0].portals[0].edge_v, (Rgb{0, 2, 0}));
+  EXPECT_EQ(scene.lights[0].portals[1].corner, (Rgb{1, 0, 2}));
+  expect_near(radiance(scene), {1, 2, 3}, 1e-3f);
+  EXPECT_EQ(read(camera, sky(value, left) + sky("\"rgb L\" [1 1 1]", right)).lights.at(0).value, (Rgb{2, 3, 4}));
+
+  write("sky.exr", 8, [](double u, double v) { return Rgb{float(u), float(v), 1}; });
+  const std::string picture = "\"string filename\" \"sky.exr\"";
+  EXPECT_EQ(read(camera, sky(picture, left) + sky(picture, right)).lights.size(), 1u);
+  EXPECT_EQ(read(camera, sky(picture, left) + "Rotate 90 0 1 0\n" + sky(picture, right)).lights.size(), 2u);
+
+  const auto error = [&](const std::string& portal) {
+    try {
+      SceneDescription description = read(camera, sky(value, portal));
+      build_scene(make_context(1, diagnostics_).get(), description);
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(error(left), "");
+  EXPECT_NE(error("0 0 0 1 0 0 1 1 0").find("scene.pbrt:5: LightSource \"infinite\": 'portal' has 3 points"),
+            std::string::npos)
+      << error("0 0 0 1 0 0 1 1 0");
+  EXPECT_NE(error("0 0 0 1 0 0 1 1 0.1 0 1 0").find("is no rectangle"), std::string::npos);
+  EXPECT_NE(error("0 0 0 1 0 0 2 1 0 1 1 0").find("at an angle of 45 degrees"), std::string::npos)
+      << error("0 0 0 1 0 0 2 1 0 1 1 0");
+}
+
 constexpr const char* kWall =
     "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5]\nShape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3] "
     "\"point3 P\" [-9 -9 2  9 -9 2  9 9 2  -9 9 2] \"point2 uv\" [0 0 1 0 1 1 0 1]\n";

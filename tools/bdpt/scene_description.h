@@ -151,6 +151,11 @@ struct MediumDescription {
   float g = 0;
 };
 
+// A rectangle that light from far away comes through.
+struct PortalDescription {
+  Rgb corner = {}, edge_u = {}, edge_v = {};
+};
+
 struct LightDescription {
   bdpt_light_type type = BDPT_LIGHT_POINT;
   std::string label;
@@ -163,7 +168,8 @@ struct LightDescription {
                              // Spot: thrown onto the square round its cone, its top towards `up`
   std::array<float, 12> transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // environment: local to world, local y up
   Rgb up = {};
-  std::optional<Luminaire> luminaire;  // point: times the value; about the direction, from `up`
+  std::optional<Luminaire> luminaire;      // point: times the value; about the direction, from `up`
+  std::vector<PortalDescription> portals;  // environment: hints, in the world
 };
 
 // What is not given in the file is empty, so that the program's own defaults can stand in.

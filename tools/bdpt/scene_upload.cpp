@@ -312,6 +312,15 @@ class Uploader {
       photometry.intensities = light.luminaire->candela.data();
       desc.photometry = &photometry;
     }
+    std::vector<bdpt_portal> portals;
+    for (const PortalDescription& p : light.portals) {
+      bdpt_portal& portal = portals.emplace_back();
+      std::copy_n(p.corner.data(), 3, portal.corner);
+      std::copy_n(p.edge_u.data(), 3, portal.edge_u);
+      std::copy_n(p.edge_v.data(), 3, portal.edge_v);
+    }
+    desc.portals = portals.data();
+    desc.portal_count = static_cast<std::uint32_t>(portals.size());
     bdpt_light_id id{};
     check(bdpt_light_add(builder_.get(), &desc, &id), light.where);
   }

@@ -84,6 +84,26 @@ void place_light(const ParamList& params, const Transform& to_world, const Vec3&
   light.up = to_rgb(normalized(to_world.vector(up)));
 }
 
+// Its four corners, in the world whatever the transform.
+void portal(const ParamList& params, LightDescription& light) {
+  const Param* const param = params.find("portal");
+  if (!param) return;
+  const std::vector<float> p = params.get_tuples("portal", 3);
+  if (p.size() != 12)
+    params.fail(*param, "has " + std::to_string(p.size() / 3) + " points; give the corners of a rectangle");
+  PortalDescription portal;
+  double off = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    portal.corner[c] = p[c];
+    portal.edge_u[c] = p[3 + c] - p[c];
+    portal.edge_v[c] = p[9 + c] - p[c];
+    off = std::max(off, std::fabs(double{p[6 + c]} - p[3 + c] - p[9 + c] + p[c]));
+  }
+  const double longest = std::max(length(to_vec3(portal.edge_u)), length(to_vec3(portal.edge_v)));
+  if (off > 1e-3 * longest) params.fail(*param, "is no rectangle: give its corners one after another");
+  light.portals.push_back(portal);
+}
+
 void projection(const ParamList& params, const Transform& to_world, const SceneFolder& folder, SceneDescription& scene,
                 LightDescription& light) {
   light.type = BDPT_LIGHT_SPOT;
@@ -163,8 +183,8 @@ LightDescription convert_light(const std::string& type, const ParamList& params,
   } else if (type == "spot") {
     spot(params, to_world, light);
   } else if (type == "infinite") {
-    params.refuse("portal", "is not known yet; remove it");
     light.type = BDPT_LIGHT_ENVIRONMENT;
+    portal(params, light);
     if (params.has("filename")) {
       picture(params, to_world, folder, scene, light);
     } else {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pbrt/scene_reader.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -62,14 +63,34 @@ class Reader {
     return folder_.path_of(expect_string(lexer, where, "a file name"), where);
   }
 
-  // Several infinite lights of one radiance add up.
+  // Whether both are one environment; in pbrt each of its windows is a light.
+  bool share_environment(const LightDescription& a, const LightDescription& b) const {
+    if (a.type != BDPT_LIGHT_ENVIRONMENT || b.type != BDPT_LIGHT_ENVIRONMENT || a.portals.empty() ||
+        b.portals.empty() || a.value != b.value || a.transform != b.transform || (a.texture < 0) != (b.texture < 0))
+      return false;
+    const auto picture = [&](const LightDescription& light) {
+      return std::get_if<Image>(&scene_.textures[static_cast<std::size_t>(light.texture)].image);
+    };
+    if (a.texture < 0) return true;
+    const Image *const of_a = picture(a), *const of_b = picture(b);
+    return of_a && of_b && of_a->pixels == of_b->pixels;
+  }
+
+  // Several infinite lights of one radiance add up, but those that differ by their portal alone.
   void merge_environments() {
     std::vector<LightDescription> lights;
     LightDescription* environment = nullptr;
     lights.reserve(scene_.lights.size());
     for (LightDescription& light : scene_.lights) {
+      const auto same = std::find_if(lights.begin(), lights.end(),
+                                     [&](const LightDescription& other) { return share_environment(light, other); });
+      if (same != lights.end()) {
+        same->portals.insert(same->portals.end(), light.portals.begin(), light.portals.end());
+        continue;
+      }
       if (light.type == BDPT_LIGHT_ENVIRONMENT && light.texture < 0 && environment) {
         for (int c = 0; c < 3; ++c) environment->value[c] += light.value[c];
+        environment->portals.insert(environment->portals.end(), light.portals.begin(), light.portals.end());
         continue;
       }
       lights.push_back(std::move(light));
