@@ -58,6 +58,7 @@ struct Source {
     use.slot = slot;
     use.scale = scale;
     use.uv.m[0] = 2, use.uv.m[1] = 0.5f, use.uv.m[4] = 3;
+    use.uv.m[2] = 0.13f * float(int(slot));  // none is like another
     if (hosts) {
       use.is_hosts = true;
       use.texture = b.add_host_texture(function);
