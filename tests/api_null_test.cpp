@@ -89,6 +89,11 @@ TEST(ApiNull, BuilderCallsRefuseIt) {
   bdpt_curves_desc curves = make<bdpt_curves_desc>();
   curves.positions = view(line, 2, BDPT_FORMAT_FLOAT3), curves.radii = view(&radius, 1, BDPT_FORMAT_FLOAT1);
   check(bdpt_curves_add, curves, bdpt_shape_id{});
+  const uint32_t face[] = {0, 1, 2, 3};
+  bdpt_subdivision_desc subdivision = make<bdpt_subdivision_desc>();
+  subdivision.level = 2;
+  subdivision.positions = view(kSquare, 4, BDPT_FORMAT_FLOAT3), subdivision.indices = view(face, 4, BDPT_FORMAT_UINT32);
+  check(bdpt_subdivision_add, subdivision, bdpt_shape_id{});
   check(bdpt_texture_add, texture, bdpt_texture_id{});
   check(bdpt_material_add, material, bdpt_material_id{});
   check(bdpt_medium_add, medium, bdpt_medium_id{});

@@ -90,6 +90,12 @@ TEST(ApiStructSize, BuilderStructsAreReadBySize) {
   curves.positions = view(line, 2, BDPT_FORMAT_FLOAT3), curves.radii = view(&radius, 1, BDPT_FORMAT_FLOAT1);
   check<bdpt_curves_desc>("bdpt_curves_desc", 184, curves,
                           [&](bdpt_curves_desc* d) { return bdpt_curves_add(b, d, &shape); });
+  const uint32_t face[] = {0, 1, 2, 3};
+  bdpt_subdivision_desc subdivision = make<bdpt_subdivision_desc>();
+  subdivision.level = 2;
+  subdivision.positions = view(kSquare, 4, BDPT_FORMAT_FLOAT3), subdivision.indices = view(face, 4, BDPT_FORMAT_UINT32);
+  check<bdpt_subdivision_desc>("bdpt_subdivision_desc", 544, subdivision,
+                               [&](bdpt_subdivision_desc* d) { return bdpt_subdivision_add(b, d, &shape); });
   const uint8_t texel[3] = {1, 2, 3};
   bdpt_texture_desc texture = make<bdpt_texture_desc>();
   texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;

@@ -32,6 +32,7 @@ BDPT_VERSION_1_SIZE(bdpt_progress, 40);
 BDPT_VERSION_1_SIZE(bdpt_mesh_desc, 296);
 BDPT_VERSION_1_SIZE(bdpt_sphere_desc, 32);
 BDPT_VERSION_1_SIZE(bdpt_curves_desc, 184);
+BDPT_VERSION_1_SIZE(bdpt_subdivision_desc, 544);
 BDPT_VERSION_1_SIZE(bdpt_texture_desc, 48);
 BDPT_VERSION_1_SIZE(bdpt_texture_use, 72);
 BDPT_VERSION_1_SIZE(bdpt_medium_desc, 48);

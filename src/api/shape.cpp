@@ -3,6 +3,7 @@
 #include "api/curves_data.h"
 #include "api/desc.h"
 #include "api/mesh_data.h"
+#include "api/subdivision_data.h"
 
 using namespace bdpt;
 
@@ -59,6 +60,23 @@ bdpt_result bdpt_mesh_add(bdpt_builder* builder, const bdpt_mesh_desc* desc, bdp
     require(shape, "shape");
     ShapeEntry entry;
     entry.shape.mesh = read_mesh(d, releases, b.context->meter);
+    entry.extent = extent_of(*entry.shape.mesh);
+    const std::shared_ptr<const Mesh> mesh = entry.shape.mesh;
+    shape->id = b.shapes.add(std::move(entry));
+    report_degenerate(*b.context->log, *mesh);
+  });
+}
+
+bdpt_result bdpt_subdivision_add(bdpt_builder* builder, const bdpt_subdivision_desc* desc, bdpt_shape_id* shape) {
+  return guard(__func__, [&] {
+    const SubdivisionReleases releases(desc);
+    reset_output(shape);
+    bdpt_builder& b = writable(builder);
+    const bdpt_subdivision_desc d = read_struct(desc, "desc");
+    require(shape, "shape");
+    const Busy::Mark mark(b.busy);
+    ShapeEntry entry;
+    entry.shape.mesh = read_subdivision(d, *b.context->device, b.context->meter);
     entry.extent = extent_of(*entry.shape.mesh);
     const std::shared_ptr<const Mesh> mesh = entry.shape.mesh;
     shape->id = b.shapes.add(std::move(entry));

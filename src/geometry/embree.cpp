@@ -133,6 +133,16 @@ RayDevice::~RayDevice() {
 
 Isa RayDevice::isa() const { return implementation_->isa; }
 uint32_t RayDevice::version() { return RTC_VERSION_MAJOR * 10000 + RTC_VERSION_MINOR * 100 + RTC_VERSION_PATCH; }
+RTCDeviceTy* RayDevice::embree() const { return implementation_->device; }
+
+void RayDevice::check_refused(int error) const {
+  auto& d = *implementation_;
+  if (d.over_limit.exchange(false))
+    fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
+         " bytes");
+  if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+}
+
 uint64_t RayDevice::memory() const { return uint64_t(std::max<int64_t>(0, implementation_->bytes.load())); }
 
 struct RayScene::Implementation {
@@ -159,11 +169,7 @@ struct RayScene::Implementation {
 
   // What Embree refused to make: at the host's limit, or without memory.
   [[noreturn]] void fail_refused(RTCError error) {
-    auto& d = device->implementation();
-    if (d.over_limit.exchange(false))
-      fail(ErrorCode::MemoryLimit, "Embree's structures would exceed the context's memory_limit of ", d.meter->limit(),
-           " bytes");
-    if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
+    device->check_refused(error);
     fail(ErrorCode::Internal, "Embree reports error ", int(error), " while building");
   }
 

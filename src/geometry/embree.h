@@ -1,4 +1,5 @@
-// The ray queries. This pair of files is the only one that knows Embree, and hides which of 3.13 and 4 it is.
+// The ray queries. This pair of files and limit_surface.* are the only ones that know Embree, and hide which of 3.13
+// and 4 it is.
 #pragma once
 
 #include "base/memory.h"
@@ -11,6 +12,8 @@
 #include <functional>
 #include <memory>
 #include <vector>
+
+struct RTCDeviceTy;
 
 namespace bdpt {
 
@@ -44,6 +47,10 @@ class RayDevice {
   Isa isa() const;
   static uint32_t version();  // 10000 major + 100 minor + patch
   uint64_t memory() const;    // bytes Embree holds now
+
+  RTCDeviceTy* embree() const;
+  // Throws if it has refused memory, or if error (an RTCError) says that there is none.
+  void check_refused(int error) const;
 
   struct Implementation;
   Implementation& implementation() const { return *implementation_; }
