@@ -94,7 +94,7 @@ double f0_of(double index) { return std::pow((index - 1) / (index + 1), 2); }
 
 // Colours that Rec. 709 cannot have are clamped to what the film can reflect of any wavelength.
 TEST(ThinFilm, ReflectsAirysSumOverAllWavelengths) {
-  double worst[2] = {};  // up to an index of 1.8 and 70 degrees, and beyond
+  double worst[3] = {};  // up to an index of 1.8 and 50 degrees, to 70 degrees, and beyond
   for (const double film : {1.1, 1.3, 1.5, 1.8, 2.4})
     for (const double base : {1.0, 1.33, 1.5, 2.0, 4.0, 19.0})
       for (const double nanometres : {0.0, 50.0, 120.0, 250.0, 400.0, 700.0, 1200.0, 3000.0})
@@ -120,7 +120,7 @@ TEST(ThinFilm, ReflectsAirysSumOverAllWavelengths) {
             const double value = double(channels[c]), low = std::min(clamped, expected[c]),
                          high = std::max(clamped, expected[c]);
             const double off = std::max({low - value, value - high, 0.0});
-            double& so_far = worst[film > 2 || degrees > 75];
+            double& so_far = worst[film > 2 || degrees > 75 ? 2 : degrees > 60 ? 1 : 0];
             so_far = std::max(so_far, off);
             ASSERT_LT(off, tolerance) << film << " on " << base << ", " << nanometres << " nm, at " << degrees
                                       << ", channel " << c << ": " << channels[c] << ", " << expected[c] << " in "
@@ -130,9 +130,9 @@ TEST(ThinFilm, ReflectsAirysSumOverAllWavelengths) {
           EXPECT_NEAR(r.g, refracting.g, 2e-4);
           EXPECT_NEAR(r.b, refracting.b, 2e-4);
         }
-  RecordProperty("worst", std::to_string(worst[0]));
-  RecordProperty("worst_beyond", std::to_string(worst[1]));
-  EXPECT_LT(worst[0], 0.02);
+  EXPECT_LT(worst[0], 0.01);
+  EXPECT_LT(worst[1], 0.05);
+  RecordProperty("worst_beyond", std::to_string(worst[2]));
 }
 
 TEST(ThinFilm, OfNoThicknessIsNoFilm) {
