@@ -57,7 +57,7 @@ class Fuzz {
   bdpt_medium_id medium(bdpt_builder* b) {
     bdpt_medium_desc desc = medium_desc();
     for (int i = 0; i < 3; ++i) desc.sigma_a[i] = number(), desc.sigma_s[i] = number();
-    desc.g = one_in(4) ? 0.9999999f : one_in(4) ? -0.9999999f : number() * 2 - 1;
+    desc.g = one_in(4) ? 0.9999f : one_in(4) ? -0.9999f : number() * 2 - 1;
     bdpt_medium_id id{};
     return taken(bdpt_medium_add(b, &desc, &id)) ? id : add_medium(b);
   }
