@@ -522,7 +522,8 @@ typedef struct bdpt_medium_desc {
   const char *label;
   float sigma_a[3]; /* absorption coefficient, [0,1e9], 1 / world unit: light falls by exp(-sigma_a d) */
   float sigma_s[3]; /* scattering coefficient, [0,1e9], 1 / world unit */
-  float g;          /* mean cosine of the angle by which light is turned, (-1,1), as Henyey and Greenstein (1941) have it */
+  float g;          /* mean cosine of the angle by which light is turned, [-0.9999,0.9999], as Henyey and Greenstein (1941)
+                       have it */
   uint32_t reserved2;
 } bdpt_medium_desc;
 

@@ -9,7 +9,7 @@ using ApiMedium = BuilderTest;
 TEST_F(ApiMedium, EveryRefusalNamesFieldValueAndRemedy) {
   EXPECT_OK(try_medium([](auto&) {}));
   EXPECT_OK(try_medium([](auto& d) { d = make<bdpt_medium_desc>(); }));
-  EXPECT_OK(try_medium([](auto& d) { d.g = -0.99f; }));
+  EXPECT_OK(try_medium([](auto& d) { d.g = -0.9999f; }));
   const auto refused = [&](std::initializer_list<const char*> parts,
                            const std::function<void(bdpt_medium_desc&)>& change) {
     expect_refused(try_medium(change), parts);
@@ -21,9 +21,9 @@ TEST_F(ApiMedium, EveryRefusalNamesFieldValueAndRemedy) {
   refused({"sigma_s[2]", "inf", "from 0 to 1e+09"}, [](auto& d) { d.sigma_s[2] = kInfinity; });
   refused({"sigma_s[1]", "is -1", "from 0 to 1e+09"}, [](auto& d) { d.sigma_s[1] = -1; });
   refused({"sigma_s[0]", "is 3e+38", "from 0 to 1e+09"}, [](auto& d) { d.sigma_s[0] = 3e38f; });
-  refused({"g of", "is 1", "above -1 and below 1"}, [](auto& d) { d.g = 1; });
-  refused({"g of", "is -1", "above -1 and below 1"}, [](auto& d) { d.g = -1; });
-  refused({"g of", "nan", "above -1 and below 1"}, [](auto& d) { d.g = kNan; });
+  refused({"g of", "is 1", "from -0.9999 to 0.9999"}, [](auto& d) { d.g = 1; });
+  refused({"g of", "is -1", "from -0.9999 to 0.9999"}, [](auto& d) { d.g = -1; });
+  refused({"g of", "nan", "from -0.9999 to 0.9999"}, [](auto& d) { d.g = kNan; });
   refused({"reserved of", "is 1", "must be 0"}, [](auto& d) { d.reserved = 1; });
   refused({"reserved2", "is 1", "must be 0"}, [](auto& d) { d.reserved2 = 1; });
 }

@@ -4,11 +4,14 @@
 #include "api/check.h"
 #include "api/desc.h"
 
+#include <cmath>
+
 using namespace bdpt;
 
 namespace {
 
-constexpr float kMaxSigma = 1e9f;  // contributions have products of two
+constexpr float kMaxSigma = 1e9f;      // contributions have products of two
+constexpr float kMaxCosine = 0.9999f;  // lobes much narrower are not told from light that goes on
 
 std::shared_ptr<const Medium> read_medium(const bdpt_medium_desc& desc) {
   const Subject subject("medium", desc.label);
@@ -16,7 +19,8 @@ std::shared_ptr<const Medium> read_medium(const bdpt_medium_desc& desc) {
   subject.check_reserved("reserved2", desc.reserved2);
   subject.check_range("sigma_a", desc.sigma_a, 3, 0, kMaxSigma);
   subject.check_range("sigma_s", desc.sigma_s, 3, 0, kMaxSigma);
-  if (!(desc.g > -1 && desc.g < 1)) subject.refuse("g", "is ", desc.g, ": give a mean cosine above -1 and below 1");
+  if (!(std::fabs(desc.g) <= kMaxCosine))
+    subject.refuse("g", "is ", desc.g, ": give a mean cosine from ", -kMaxCosine, " to ", kMaxCosine);
   return std::make_shared<const Medium>(Medium{subject.label(), to_rgb(desc.sigma_a), to_rgb(desc.sigma_s), desc.g});
 }
 
