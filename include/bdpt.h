@@ -371,9 +371,9 @@ typedef int32_t bdpt_curve_basis;
 #define BDPT_CURVE_BSPLINE 2     /* cubic, uniform: 4 points, and 1 for each further segment */
 #define BDPT_CURVE_CATMULL_ROM 3 /* cubic: 4 points, and 1 for each further segment; through all but a strand's ends */
 
-/* Round curves, such as hair: strands along which a circle is swept, whose radius varies as the axis does. The cubic ones
- * are open at their ends, and their radius should be smaller than that of their bends. Texture coordinates of both sets:
- * u goes along the strand from 0 to 1, by its segments alike, v is 0; u is also the anisotropic direction. */
+/* Round curves, such as hair: strands along which a circle is swept, whose radius varies as the axis does. The cubic
+ * ones are open at their ends, and their radius should be smaller than that of their bends. Texture coordinates of both
+ * sets: u goes along the strand from 0 to 1, by its segments alike, v is 0; u is also the anisotropic direction. */
 typedef struct bdpt_curves_desc {
   uint32_t struct_size;
   bdpt_curve_basis basis;
@@ -383,12 +383,12 @@ typedef struct bdpt_curves_desc {
   bdpt_data counts;    /* UINT32: control points of each strand; absent = there is one */
 } bdpt_curves_desc;
 
-/* Adds curves, as a set: one for all hair of a head is better than one for each. Segments that have no length, or no radius
- * anywhere, are dropped and counted (bdpt_scene_info, and the log). Linear segments longer than 64 radii are cut into
- * shorter ones, which look the same. Instances may be placed and scaled in any way. Not for materials that emit, refract,
- * are an interface, or have a normal or bump map (bdpt_scene_build refuses these), nor for lightmaps and vertices.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (missing, misaligned or non-finite data, counts that do not add up or that the basis
- * does not have, no segment, radii below 0 or between which a spline swings below 0), _MEMORY_LIMIT, _OUT_OF_MEMORY.
+/* Adds curves, as a set: one for all hair of a head is better than one for each. Segments that have no length, or no
+ * radius anywhere, are dropped and counted (bdpt_scene_info, and the log). Linear segments longer than 64 radii are cut
+ * into shorter ones, which look the same. Instances may be placed and scaled in any way. Not for materials that emit,
+ * refract, are an interface, or have a normal or bump map (bdpt_scene_build refuses these), nor for lightmaps and vertices.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (missing, misaligned or non-finite data, counts that do not add up or that the
+ * basis does not have, no segment, radii below 0 or between which a spline swings below 0), _MEMORY_LIMIT, _OUT_OF_MEMORY.
  * Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies, borrowed data too.
  * Source: Embree's round curves; the normal with the curvature of the axis, which theirs leaves out. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_curves_add(bdpt_builder *builder, const bdpt_curves_desc *desc, bdpt_shape_id *shape);
@@ -398,24 +398,24 @@ typedef int32_t bdpt_boundary;
 #define BDPT_BOUNDARY_PIN_CORNERS 1 /* smooth, but for corners of one face, which stay where they are */
 #define BDPT_BOUNDARY_PIN 2         /* all of the boundary stays where it is */
 
-/* Displaces `count` places of a surface: packed arrays of positions, unit normals and texture coordinates come in, three,
- * three and two floats each; displaced comes as the positions, and is what they become. Called on the calling thread, for
- * some thousands of places at a time; each place is asked for once. Zero goes on; another value stops the call. */
-typedef int32_t (*bdpt_displace_fn)(void *user, uint64_t count, const float *positions, const float *normals, const float *uv,
-                                    float *displaced);
+/* Displaces `count` places of a surface: packed arrays of positions, unit normals and texture coordinates come in,
+ * three, three and two floats each; displaced comes as the positions, and is what they become. Called on the calling
+ * thread, for some thousands of places at a time; each is asked for once. Zero goes on; another value stops the call. */
+typedef int32_t (*bdpt_displace_fn)(void *user, uint64_t count, const float *positions, const float *normals,
+                                    const float *uv, float *displaced);
 
 /* A Catmull-Clark surface. Its front is the side from which faces turn counter-clockwise. */
 typedef struct bdpt_subdivision_desc {
   uint32_t struct_size;
-  uint32_t level;           /* segments that each edge of a face is cut into, 1 to 64; even if faces have other than 4 corners */
+  uint32_t level;           /* segments of each edge of a face, 1 to 64; even where a face has other than 4 corners */
   const char *label;
   bdpt_data positions;      /* FLOAT3, required, finite */
   bdpt_data face_counts;    /* UINT32: corners of each face, 3 to 15; absent = 4 each */
   bdpt_data indices;        /* UINT32, required: the position of each corner, face after face */
   bdpt_data uv;             /* FLOAT2: set 0, linear on each face; absent = none */
-  bdpt_data uv_indices;     /* UINT32, as many as indices: the uv of each corner; absent = there is one for each position */
+  bdpt_data uv_indices;     /* UINT32, as many as indices: the uv of each corner; absent = as indices */
   bdpt_data crease_edges;   /* UINT32, two positions for each edge that is a crease; each edge once */
-  bdpt_data crease_weights; /* FLOAT1, one for each: for so many steps of subdivision it is sharp; infinity = for ever */
+  bdpt_data crease_weights; /* FLOAT1, one for each: so many steps of subdivision keep it sharp; infinity = all */
   bdpt_data corners;        /* UINT32: positions that are sharp; each once */
   bdpt_data corner_weights; /* FLOAT1, one for each, as of creases */
   bdpt_boundary boundary;
@@ -424,14 +424,15 @@ typedef struct bdpt_subdivision_desc {
   void *user;                /* for displace */
 } bdpt_subdivision_desc;
 
-/* Adds a subdivision surface as a mesh of points of its limit, so all that meshes can do, it can: 2 level^2 triangles for a
- * face of 4 corners, n level^2 / 2 for one of n. The mesh is closed where the faces are; displacement moves what faces
+/* Adds a subdivision surface as a mesh of points of its limit, so all that meshes can do, it can: 2 level² triangles for
+ * a face of 4 corners, n level² / 2 for one of n. The mesh is closed where the faces are; displacement moves what faces
  * share once, by the texture coordinates that it has on the first of them. Normals are the limit's, and those of the
- * triangles, averaged, where it is displaced; a crease of less than 2.6 degrees is smooth. Close to a sharp edge the limit
- * is exact to a thousandth of the face.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (missing, misaligned or non-finite data, counts that do not add up, index out of range,
- * level, an edge with more than two faces or with two that turn differently, faces that share a position and no edge, more
- * than 60 faces at a position), _CALLBACK_FAILED (also if positions are not finite), _MEMORY_LIMIT, _OUT_OF_MEMORY.
+ * triangles, averaged, where it is displaced; a crease of less than 2.6 degrees is smooth. Close to a sharp edge the
+ * limit is exact to a thousandth of the face.
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (missing, misaligned or non-finite data, positions beyond 1e16, counts that do not
+ * add up, index out of range, level, an edge with more than two faces or with two that turn differently, faces that share
+ * a position and no edge, more than 60 faces at a position), _CALLBACK_FAILED (also if displaced is not finite),
+ * _MEMORY_LIMIT, _OUT_OF_MEMORY.
  * Threads: one thread per object. Callbacks: not for the builder in use. Ownership: copies, borrowed data too.
  * Source: Catmull and Clark (1978), by Embree. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_subdivision_add(bdpt_builder *builder, const bdpt_subdivision_desc *desc, bdpt_shape_id *shape);
@@ -867,7 +868,7 @@ typedef struct bdpt_scene_info {
   uint64_t memory_embree;        /* bytes of Embree's structures */
   uint64_t hash;                 /* of all that decides the picture */
   float bounds_min[3], bounds_max[3]; /* of the geometry; both zero when there is none */
-  uint64_t curves;               /* segments of curves, as they were cut; instanced ones counted once for each instance */
+  uint64_t curves;               /* segments of curves, as they were cut, once for each instance */
 } bdpt_scene_info;
 
 /* Tells what a scene holds.
@@ -1094,7 +1095,7 @@ typedef struct bdpt_lightmap_desc {
  * are not measured, but cast shadows and scatter light; bdpt_lightmap_info and the log tell of them. With buried_rays,
  * floors that run on under walls are not darkened there: whether a cell counts is found once, and holds for eye and
  * light subpaths alike.
- * Returns: BDPT_CANCELLED; BDPT_ERROR_INVALID_ARGUMENT (a shape that is no mesh, a mesh without the uv set, an instance twice, no
+ * Returns: BDPT_CANCELLED; BDPT_ERROR_INVALID_ARGUMENT (no mesh, a mesh without the uv set, an instance twice, no
  * texel covered, all of them buried), _INVALID_ID, _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
  * Source: Veach (1997), 10.6; the measurement functions are those of docs/baking.md. */
@@ -1182,7 +1183,7 @@ typedef struct bdpt_vertices_desc {
  * normals) is the light that falls on the surface. The film has vertices in rows, in order, those of the first instance
  * first: a packed read of it begins with them, one after another. Vertices of one place and several indices measure
  * apart; those of no triangle are not measured.
- * Returns: BDPT_ERROR_INVALID_ARGUMENT (a shape that is no mesh, an instance twice, no triangle with an area), _INVALID_ID,
+ * Returns: BDPT_ERROR_INVALID_ARGUMENT (no mesh, an instance twice, no triangle with an area), _INVALID_ID,
  * _MEMORY_LIMIT, _OUT_OF_MEMORY. Threads: any thread. Callbacks: allowed.
  * Ownership: the caller gets one reference; the sensor keeps the scene alive. A render takes it with this scene only.
  * Source: Veach (1997), 10.6. */

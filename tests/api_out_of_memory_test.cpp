@@ -101,6 +101,22 @@ TEST(ApiOutOfMemory, ABuilderStaysAsItWas) {
   EXPECT_OK(bdpt_shape_remove(b, shape));
   EXPECT_EQ(calls, released);
 
+  const float line[2][3] = {{0, 0, 0}, {1, 0, 0}}, radius = 0.1f;
+  bdpt_curves_desc curves = make<bdpt_curves_desc>();
+  curves.positions = view(line, 2, BDPT_FORMAT_FLOAT3), curves.radii = view(&radius, 1, BDPT_FORMAT_FLOAT1);
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_curves_add(b, &curves, &shape); }), 0);
+  EXPECT_OK(bdpt_shape_remove(b, shape));
+
+  const uint32_t faces[2][3] = {{0, 1, 2}, {0, 2, 3}}, sides[2] = {3, 3};
+  bdpt_subdivision_desc subdivision = make<bdpt_subdivision_desc>();
+  subdivision.level = 2;
+  subdivision.positions = view(kSquare, 4, BDPT_FORMAT_FLOAT3);
+  subdivision.face_counts = view(sides, 2, BDPT_FORMAT_UINT32);
+  subdivision.indices = view(faces, 6, BDPT_FORMAT_UINT32);
+  subdivision.displace = [](void*, uint64_t, const float*, const float*, const float*, float*) { return int32_t(0); };
+  EXPECT_GT(fail_each_allocation([&] { return bdpt_subdivision_add(b, &subdivision, &shape); }), 0);
+  EXPECT_OK(bdpt_shape_remove(b, shape));
+
   const uint8_t texel[3] = {1, 2, 3};
   bdpt_texture_desc texture = make<bdpt_texture_desc>();
   texture.channels = 3, texture.width = texture.height = 1, texture.pixels = texel;
