@@ -8,6 +8,7 @@
 
 #include "sampling/hash.h"
 
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -59,7 +60,14 @@ void load(RTCRay16& packet, const Ray* rays, size_t lanes, bool numbered) {
     packet.tnear[i] = 0;
     packet.mask[i] = ~0u;
     packet.flags[i] = 0;
-    if (i >= lanes) packet.id[i] = 0, packet.time[i] = 0;
+  }
+  // Where Embree has no packets of 16 it goes by whether tnear <= tfar, not by what is said to be valid.
+  for (size_t i = lanes; i < 16; ++i) {
+    packet.org_x[i] = packet.org_y[i] = packet.org_z[i] = 0;
+    packet.dir_x[i] = packet.dir_y[i] = packet.dir_z[i] = 1;
+    packet.tfar[i] = -std::numeric_limits<float>::infinity();
+    packet.id[i] = 0;
+    packet.time[i] = 0;
   }
 }
 
