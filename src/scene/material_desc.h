@@ -62,7 +62,8 @@ struct MaterialDesc : Material {
   bool varies() const {
     for (const TextureUse& use : textures)
       if (use.slot != Slot::Reflectance && use.slot != Slot::Normal && use.slot != Slot::Bump &&
-          use.slot != Slot::Emission) return true;
+          use.slot != Slot::Emission)
+        return true;
     return false;
   }
 };

@@ -6,6 +6,7 @@
 #include "geometry/margin.h"
 #include "light/lights.h"
 #include "material/material_store.h"
+#include "math/box.h"
 #include "scene/host_lookups.h"
 #include "scene/interiors.h"
 #include "scene/scene_desc.h"
@@ -147,6 +148,9 @@ class Scene {
   void find_light_interiors();
   void place_instances();
   void collect_lights();
+  Box bounds() const;
+  void check_emitter(size_t instance) const;  // that it can
+  Lights::AreaLight area_light(size_t instance) const;
   bool triangle_surface(const Instance& instance, uint32_t primitive, float u, float v, Surface& surface) const;
   bool curve_surface(const Instance& instance, const Ray& ray, const Hit& hit, Surface& surface) const;
   void check_curves(const InstanceDesc& desc) const;

@@ -20,11 +20,11 @@ struct InstanceDesc {
   int shape = 0;     // index into SceneDesc::shapes
   int material = 0;  // index into SceneDesc::materials
   Transform transform;
-  Transform end;       // at time 1, of what moves
+  Transform end;  // at time 1, of what moves
   bool moves = false;
-  uint64_t id = 0;         // the host's, by which sensors name it; decides nothing
+  uint64_t id = 0;           // the host's, by which sensors name it; decides nothing
   uint64_t material_id = 0;  // the same of its material
-  bool invisible = false;  // no ray meets it; sensors may lie on it
+  bool invisible = false;    // no ray meets it; sensors may lie on it
 };
 
 struct SceneDesc {
