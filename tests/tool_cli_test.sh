@@ -87,6 +87,11 @@ expect 0 '' compare full.exr sum.film --json --diff diff.png
 grep -q '"mse": 0,' stdout.txt || fail "equal pictures differ: $(cat stdout.txt)"
 expect 0 '' render box.pbrt -o small.exr --spp 1 --width 16 --height 12
 expect 5 '^bdpt: .*of one size' compare full.exr small.exr
+for side in '--width 16' '--height 12'; do  # the other by the file's shape
+  expect 0 '' render box.pbrt -o shaped.exr --spp 1 $side
+  expect 0 '' compare small.exr shaped.exr --json
+  grep -q '"mse": 0,' stdout.txt || fail "$side is another picture: $(cat stdout.txt)"
+done
 
 expect 0 '' render triangle.gltf -o triangle.exr --spp 1 --width 16 --height 12
 expect 0 '' info triangle.gltf

@@ -63,9 +63,8 @@ class RenderCommand {
 
   void build() {
     const Stopwatch watch;
-    bdpt_camera_desc camera =
-        camera_desc(description_, options_.width.value_or(description_.film.width),
-                    options_.height.value_or(description_.film.height), diagnostics_, options_.camera);
+    const auto [width, height] = picture_size(options_, description_.film);
+    bdpt_camera_desc camera = camera_desc(description_, width, height, diagnostics_, options_.camera);
     has_lens_ = camera.lens_radius > 0 || camera.type == BDPT_CAMERA_LENS;
     is_cube_ = camera.type == BDPT_CAMERA_CUBE;
     outputs_.add_to(camera);

@@ -2,7 +2,9 @@
 #include "render_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "choice_option.h"
 #include "handles.h"
@@ -75,9 +77,13 @@ void add_output_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_image_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--width", options.width, "Width of the picture in pixels (default: the file's)")
+  command
+      .add_option("--width", options.width,
+                  "Width of the picture in pixels (default: the file's, or by its shape for the height)")
       ->check(CLI::Range(1, 65536));
-  command.add_option("--height", options.height, "Height of the picture in pixels (default: the file's)")
+  command
+      .add_option("--height", options.height,
+                  "Height of the picture in pixels (default: the file's, or by its shape for the width)")
       ->check(CLI::Range(1, 65536));
   add_camera_options(command, options.camera);
   add_choice(command, "--filter", options.filter, kFilters,
@@ -193,6 +199,14 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
       "Of several limits the first one reached counts. Ctrl-C stops and writes what is finished (exit code 130), a "
       "second Ctrl-C ends the program at once. " +
       std::string(kExitCodeHelp));
+}
+
+PictureSize picture_size(const RenderOptions& options, const FilmDescription& film) {
+  const auto side = [](double pixels) { return static_cast<std::uint32_t>(std::clamp(std::round(pixels), 1.0, 4e9)); };
+  const double shape = double(film.width) / film.height;
+  if (options.width && !options.height) return {*options.width, side(*options.width / shape)};
+  if (options.height && !options.width) return {side(*options.height * shape), *options.height};
+  return {options.width.value_or(film.width), options.height.value_or(film.height)};
 }
 
 PassRange pass_range(const RenderOptions& options, std::optional<std::uint32_t> samples_in_file) {

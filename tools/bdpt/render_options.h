@@ -69,6 +69,12 @@ struct PassRange {
 // From --passes, --spp, or the file; a limit of time or noise alone leaves the end open. Throws an Error of kUsage.
 PassRange pass_range(const RenderOptions& options, std::optional<std::uint32_t> samples_in_file);
 
+struct PictureSize {
+  std::uint32_t width, height;
+};
+// The file's; where one side alone is asked for, of the file's shape.
+PictureSize picture_size(const RenderOptions& options, const FilmDescription& film);
+
 // From --techniques or --integrator; all by default. Throws an Error of kUsage.
 TechniqueMask technique_mask(const RenderOptions& options);
 // The connection plan that --integrator names; the default where it names techniques.
