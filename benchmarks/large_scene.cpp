@@ -21,6 +21,7 @@
 #include "scene_set.h"
 #include "scene_upload.h"
 #include "stopwatch.h"
+#include "timing.h"
 
 namespace bdpt_benchmark {
 namespace {
@@ -31,11 +32,6 @@ using bdpt_tool::Stopwatch;
 constexpr int kTurns = 5;
 constexpr double kMiB = 1024 * 1024;
 constexpr std::uint64_t kBillion = 1'000'000'000;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 bdpt::Transform transform_of(const bdpt_tool::InstanceDescription& instance) {
   bdpt::Transform t;

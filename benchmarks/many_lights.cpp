@@ -4,12 +4,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <string>
 
 #include "render/render.h"
 #include "scenes.h"
+#include "timing.h"
 #include "variance.h"
 
 namespace bdpt {
@@ -18,11 +18,8 @@ namespace {
 constexpr int kWidth = 96, kHeight = 64, kMaxEdges = 5;
 constexpr uint64_t kPasses = 4;
 
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
+using bdpt_benchmark::processor_seconds;
+using bdpt_benchmark::this_thread;
 
 std::shared_ptr<const Scene> hall(int lamps) {
   scenes::Builder b;
@@ -47,14 +44,6 @@ std::shared_ptr<const Scene> hall(int lamps) {
           scenes::emitter(Rgb(20)));
   }
   return b.build();
-}
-
-std::shared_ptr<Executor> this_thread() {
-  HostExecutor host;
-  host.run = [](void*, uint32_t n, void (*body)(void*, uint32_t), void* user) {
-    for (uint32_t i = 0; i < n; ++i) body(user, i);
-  };
-  return make_host_executor(host);
 }
 
 struct Method {

@@ -12,16 +12,11 @@
 #include "process_memory.h"
 #include "ray_log.h"
 #include "render_run.h"
+#include "timing.h"
 #include "variance.h"
 
 namespace bdpt_benchmark {
 namespace {
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
 
 // The renders of one integrator, and what they took.
 struct Contestant {

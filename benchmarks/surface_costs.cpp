@@ -2,16 +2,15 @@
 // same without textures.
 //
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 
 #include "material_testing.h"
 #include "render/render.h"
 #include "scenes.h"
+#include "timing.h"
 
 namespace bdpt {
 namespace {
@@ -20,11 +19,9 @@ constexpr int kWidth = 96, kHeight = 64, kMaxEdges = 5;
 constexpr float kReflectance = 0.7f;
 constexpr uint32_t kTexels = 1024;  // of a picture, each way
 
-double processor_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
+using bdpt_benchmark::median;
+using bdpt_benchmark::processor_seconds;
+using bdpt_benchmark::this_thread;
 
 // A room with a ball and a lamp. Triangles without texture coordinates have half of every picture each.
 std::shared_ptr<const Scene> room(scenes::Builder& b, const MaterialDesc& material) {
@@ -103,14 +100,6 @@ std::vector<Case> cases(const std::string& only) {
   return all;
 }
 
-std::shared_ptr<Executor> this_thread() {
-  HostExecutor host;
-  host.run = [](void*, uint32_t n, void (*body)(void*, uint32_t), void* user) {
-    for (uint32_t i = 0; i < n; ++i) body(user, i);
-  };
-  return make_host_executor(host);
-}
-
 double render_seconds(const Case& c, const std::shared_ptr<const Sensor>& camera) {
   FilmDesc film;
   film.width = kWidth, film.height = kHeight;
@@ -122,11 +111,6 @@ double render_seconds(const Case& c, const std::shared_ptr<const Sensor>& camera
   const double begin = processor_seconds();
   render.advance(advance);
   return processor_seconds() - begin;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job.h"
 
-#include <ctime>
-
 #include "film_output.h"
+#include "timing.h"
 
 namespace bdpt_experiments {
+
+using bdpt_benchmark::processor_seconds;
 
 Job::Job(const Stage& stage, const Variant& variant, std::uint32_t max_edges, std::uint64_t seed,
          std::uint32_t pyramid_edges)
@@ -45,12 +46,6 @@ std::vector<float> grey(const bdpt_tool::Image& image) {
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = (image.pixels[3 * i] + image.pixels[3 * i + 1] + image.pixels[3 * i + 2]) / 3;
   return values;
-}
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
 }  // namespace bdpt_experiments

@@ -35,7 +35,4 @@ class Job {
 // The mean of red, green and blue of every pixel.
 std::vector<float> grey(const bdpt_tool::Image& image);
 
-// Processor time of all threads of the program so far, in seconds.
-double processor_seconds();
-
 }  // namespace bdpt_experiments

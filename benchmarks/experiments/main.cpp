@@ -14,10 +14,12 @@
 #include "error.h"
 #include "experiment.h"
 #include "job.h"
+#include "timing.h"
 
 namespace {
 
 using namespace bdpt_experiments;
+using bdpt_benchmark::processor_seconds;
 
 std::string all_ids() {
   std::string ids;

@@ -8,8 +8,6 @@
 namespace bdpt {
 namespace {
 
-constexpr uint32_t bit(bdpt_format format) { return 1u << format; }
-
 // Control points of a strand's first segment, and more for each further one.
 struct Pieces {
   uint64_t first, further;
@@ -22,9 +20,9 @@ class CurvesReader {
       : subject_("curves", desc.label), meter_(meter) {
     subject_.check_enum("basis", desc.basis, BDPT_CURVE_CATMULL_ROM);
     curves_->basis = CurveBasis(desc.basis);
-    positions_ = read_view(subject_, "positions", desc.positions, bit(BDPT_FORMAT_FLOAT3));
-    radii_ = read_view(subject_, "radii", desc.radii, bit(BDPT_FORMAT_FLOAT1));
-    counts_ = read_view(subject_, "counts", desc.counts, bit(BDPT_FORMAT_UINT32));
+    positions_ = read_view(subject_, "positions", desc.positions, format_bit(BDPT_FORMAT_FLOAT3));
+    radii_ = read_view(subject_, "radii", desc.radii, format_bit(BDPT_FORMAT_FLOAT1));
+    counts_ = read_view(subject_, "counts", desc.counts, format_bit(BDPT_FORMAT_UINT32));
   }
 
   std::shared_ptr<const Curves> read() {
@@ -230,15 +228,7 @@ void CurvesReader::walk_cubic(uint64_t first, uint64_t n, uint64_t& next, Sink& 
   next += n;
 }
 
-FinalCall final_call(const bdpt_data& data) { return {data.release, data.user, data.data}; }
-
 }  // namespace
-
-CurvesReleases::CurvesReleases(const bdpt_curves_desc* desc)
-    : CurvesReleases(is_readable(desc) ? copy_readable(*desc) : bdpt_curves_desc{}) {}
-
-CurvesReleases::CurvesReleases(const bdpt_curves_desc& desc)
-    : positions_(final_call(desc.positions)), radii_(final_call(desc.radii)), counts_(final_call(desc.counts)) {}
 
 std::shared_ptr<const Curves> read_curves(const bdpt_curves_desc& desc, const std::shared_ptr<MemoryMeter>& meter) {
   return CurvesReader(desc, meter).read();

@@ -88,9 +88,9 @@ static_assert(sizeof(bdpt_progress) == kVersion1Size<bdpt_progress>);
 static_assert(sizeof(bdpt_texture_place) == 32);
 static_assert(sizeof(bdpt_scattering_place) == 32 && sizeof(bdpt_scattering_value) == 20);
 static_assert(sizeof(bdpt_coverage) == 16 && sizeof(bdpt_data) == 56 && sizeof(bdpt_image_layer) == 16 &&
-              sizeof(bdpt_point) == 32 && sizeof(bdpt_portal) == 36 && sizeof(bdpt_lens_surface) == 16 && sizeof(bdpt_measurement_start) == 56 &&
-              sizeof(bdpt_measurement_place) == 48 && sizeof(bdpt_measurement_landing) == 56 &&
-              sizeof(bdpt_measurement_landed) == 32);
+              sizeof(bdpt_point) == 32 && sizeof(bdpt_portal) == 36 && sizeof(bdpt_lens_surface) == 16 &&
+              sizeof(bdpt_measurement_start) == 56 && sizeof(bdpt_measurement_place) == 48 &&
+              sizeof(bdpt_measurement_landing) == 56 && sizeof(bdpt_measurement_landed) == 32);
 static_assert(sizeof(bdpt_chromaticities) == 32);
 static_assert(sizeof(bdpt_uv_instance) == 80 && sizeof(bdpt_lightmap_image) == 40);
 

@@ -20,7 +20,9 @@ struct HostView {
   }
 };
 
-// formats: those allowed, as bits 1 << BDPT_FORMAT_X. An absent view has count 0.
+constexpr uint32_t format_bit(bdpt_format format) { return 1u << format; }
+
+// formats: those allowed, as bits. An absent view has count 0.
 HostView read_view(const Subject& subject, const char* field, const bdpt_data& data, uint32_t formats);
 
 // Triangle i of an array of indices; of an absent one, vertices 3i, 3i + 1, 3i + 2.

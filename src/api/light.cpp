@@ -3,6 +3,7 @@
 #include "api/desc.h"
 #include "api/placement.h"
 #include "light/photometry.h"
+#include "light/portal.h"
 
 #include <Imath/ImathVec.h>
 
@@ -95,13 +96,12 @@ void read_environment(const Subject& subject, const bdpt_light_desc& desc, const
 }
 
 void read_portals(const Subject& subject, const bdpt_light_desc& desc, LightDesc& light) {
-  constexpr uint32_t kMaxPortals = 64;
   constexpr float kMaxCosine = 1e-3f;  // that edges at right angles may have
   if (desc.portal_count == 0) return;
   if (light.has_position())
     subject.refuse("portal_count", "is ", desc.portal_count,
                    ": only environments and directional lights come through portals; set it to 0");
-  subject.check_range("portal_count", desc.portal_count, 0, kMaxPortals);
+  subject.check_range("portal_count", desc.portal_count, 0, uint32_t(Portals::kMost));
   if (!desc.portals) subject.refuse("portals", "is NULL, but portal_count is ", desc.portal_count, ": pass the array");
   for (uint32_t i = 0; i < desc.portal_count; ++i) {
     const bdpt_portal& p = desc.portals[i];

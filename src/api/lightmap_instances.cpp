@@ -12,18 +12,17 @@
 namespace bdpt {
 namespace {
 
-constexpr uint32_t bit(bdpt_format format) { return 1u << format; }
-
 // A mesh's views, checked as bdpt_mesh_add checks them, but for triangles without area.
 struct MeshViews {
   HostView positions, indices, normals, uv;
 
   MeshViews(const bdpt_mesh_desc& desc, const Subject& subject) {
     subject.check_reserved("reserved", desc.reserved);
-    positions = read_view(subject, "positions", desc.positions, bit(BDPT_FORMAT_FLOAT3));
-    indices = read_view(subject, "indices", desc.indices, bit(BDPT_FORMAT_UINT16X3) | bit(BDPT_FORMAT_UINT32X3));
-    normals = read_view(subject, "normals", desc.normals, bit(BDPT_FORMAT_FLOAT3));
-    uv = read_view(subject, "uv[1]", desc.uv[1], bit(BDPT_FORMAT_FLOAT2));
+    positions = read_view(subject, "positions", desc.positions, format_bit(BDPT_FORMAT_FLOAT3));
+    indices = read_view(subject, "indices", desc.indices,
+                        format_bit(BDPT_FORMAT_UINT16X3) | format_bit(BDPT_FORMAT_UINT32X3));
+    normals = read_view(subject, "normals", desc.normals, format_bit(BDPT_FORMAT_FLOAT3));
+    uv = read_view(subject, "uv[1]", desc.uv[1], format_bit(BDPT_FORMAT_FLOAT2));
     if (positions.count < 3)
       subject.refuse("positions.count", "is ", positions.count, ": a mesh needs at least one triangle, so 3 positions");
     if (indices.count == 0 && positions.count % 3 != 0)

@@ -3,12 +3,11 @@
 #include "api/check.h"
 #include "api/desc.h"
 #include "api/host_view.h"
+#include "api/releases.h"
 #include "sampling/hash.h"
 
 namespace bdpt {
 namespace {
-
-constexpr uint32_t bit(bdpt_format format) { return 1u << format; }
 
 // The library's own array, with the padding that Embree asks for, and its place in the memory booked.
 template <class T>
@@ -22,13 +21,15 @@ class MeshReader {
   MeshReader(const bdpt_mesh_desc& desc, MeshReleases& releases, const std::shared_ptr<MemoryMeter>& meter)
       : subject_("mesh", desc.label), releases_(releases), meter_(meter) {
     subject_.check_reserved("reserved", desc.reserved);
-    positions_ = read_view(subject_, "positions", desc.positions, bit(BDPT_FORMAT_FLOAT3));
-    indices_ = read_view(subject_, "indices", desc.indices, bit(BDPT_FORMAT_UINT16X3) | bit(BDPT_FORMAT_UINT32X3));
-    normals_ = read_view(subject_, "normals", desc.normals, bit(BDPT_FORMAT_FLOAT3));
-    uv_[0] = read_view(subject_, "uv[0]", desc.uv[0], bit(BDPT_FORMAT_FLOAT2));
-    uv_[1] = read_view(subject_, "uv[1]", desc.uv[1], bit(BDPT_FORMAT_FLOAT2));
-    colors_ = read_view(subject_, "colors", desc.colors, bit(BDPT_FORMAT_FLOAT3) | bit(BDPT_FORMAT_FLOAT4));
-    tangents_ = read_view(subject_, "tangents", desc.tangents, bit(BDPT_FORMAT_FLOAT4));
+    positions_ = read_view(subject_, "positions", desc.positions, format_bit(BDPT_FORMAT_FLOAT3));
+    indices_ = read_view(subject_, "indices", desc.indices,
+                         format_bit(BDPT_FORMAT_UINT16X3) | format_bit(BDPT_FORMAT_UINT32X3));
+    normals_ = read_view(subject_, "normals", desc.normals, format_bit(BDPT_FORMAT_FLOAT3));
+    uv_[0] = read_view(subject_, "uv[0]", desc.uv[0], format_bit(BDPT_FORMAT_FLOAT2));
+    uv_[1] = read_view(subject_, "uv[1]", desc.uv[1], format_bit(BDPT_FORMAT_FLOAT2));
+    colors_ =
+        read_view(subject_, "colors", desc.colors, format_bit(BDPT_FORMAT_FLOAT3) | format_bit(BDPT_FORMAT_FLOAT4));
+    tangents_ = read_view(subject_, "tangents", desc.tangents, format_bit(BDPT_FORMAT_FLOAT4));
   }
 
   std::shared_ptr<const Mesh> read() {
@@ -266,8 +267,6 @@ uint64_t MeshReader::content_hash() const {
   if (!mesh_->tangents.empty()) h = hash_view(mesh_->tangents, hash_combine(h, 1));
   return h;
 }
-
-FinalCall final_call(const bdpt_data& data) { return {data.release, data.user, data.data}; }
 
 }  // namespace
 

@@ -43,6 +43,15 @@ void report_degenerate(const Log& log, const Mesh& mesh) {
               mesh.degenerate + mesh.triangles.size(), " triangles have no area and were dropped");
 }
 
+uint64_t add_mesh(bdpt_builder& builder, const std::shared_ptr<const Mesh>& mesh) {
+  ShapeEntry entry;
+  entry.shape.mesh = mesh;
+  entry.extent = extent_of(*mesh);
+  const uint64_t id = builder.shapes.add(std::move(entry));
+  report_degenerate(*builder.context->log, *mesh);
+  return id;
+}
+
 void report_dropped(const Log& log, const Curves& curves) {
   if (curves.dropped == 0) return;
   log.warning(Subject("curves", curves.label.c_str()).name(), ": ", curves.dropped,
@@ -58,12 +67,7 @@ bdpt_result bdpt_mesh_add(bdpt_builder* builder, const bdpt_mesh_desc* desc, bdp
     bdpt_builder& b = writable(builder);
     const bdpt_mesh_desc d = read_struct(desc, "desc");
     require(shape, "shape");
-    ShapeEntry entry;
-    entry.shape.mesh = read_mesh(d, releases, b.context->meter);
-    entry.extent = extent_of(*entry.shape.mesh);
-    const std::shared_ptr<const Mesh> mesh = entry.shape.mesh;
-    shape->id = b.shapes.add(std::move(entry));
-    report_degenerate(*b.context->log, *mesh);
+    shape->id = add_mesh(b, read_mesh(d, releases, b.context->meter));
   });
 }
 
@@ -75,12 +79,7 @@ bdpt_result bdpt_subdivision_add(bdpt_builder* builder, const bdpt_subdivision_d
     const bdpt_subdivision_desc d = read_struct(desc, "desc");
     require(shape, "shape");
     const Busy::Mark mark(b.busy);
-    ShapeEntry entry;
-    entry.shape.mesh = read_subdivision(d, *b.context->device, b.context->meter);
-    entry.extent = extent_of(*entry.shape.mesh);
-    const std::shared_ptr<const Mesh> mesh = entry.shape.mesh;
-    shape->id = b.shapes.add(std::move(entry));
-    report_degenerate(*b.context->log, *mesh);
+    shape->id = add_mesh(b, read_subdivision(d, *b.context->device, b.context->meter));
   });
 }
 

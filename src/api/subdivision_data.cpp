@@ -13,7 +13,6 @@
 namespace bdpt {
 namespace {
 
-constexpr uint32_t bit(bdpt_format format) { return 1u << format; }
 constexpr float kMostReach = 1e16f;  // Embree aborts above 1.8e18, in what it sums, too
 
 template <class T>
@@ -32,11 +31,11 @@ class CageReader {
     subject_.check_reserved("reserved", desc.reserved);
     subject_.check_enum("boundary", desc.boundary, BDPT_BOUNDARY_PIN);
     subject_.check_range("level", desc.level, 1, 64);
-    constexpr uint32_t kIndex = bit(BDPT_FORMAT_UINT32), kNumber = bit(BDPT_FORMAT_FLOAT1);
-    positions_ = read_view(subject_, "positions", desc.positions, bit(BDPT_FORMAT_FLOAT3));
+    constexpr uint32_t kIndex = format_bit(BDPT_FORMAT_UINT32), kNumber = format_bit(BDPT_FORMAT_FLOAT1);
+    positions_ = read_view(subject_, "positions", desc.positions, format_bit(BDPT_FORMAT_FLOAT3));
     face_counts_ = read_view(subject_, "face_counts", desc.face_counts, kIndex);
     indices_ = read_view(subject_, "indices", desc.indices, kIndex);
-    uv_ = read_view(subject_, "uv", desc.uv, bit(BDPT_FORMAT_FLOAT2));
+    uv_ = read_view(subject_, "uv", desc.uv, format_bit(BDPT_FORMAT_FLOAT2));
     uv_indices_ = read_view(subject_, "uv_indices", desc.uv_indices, kIndex);
     crease_edges_ = read_view(subject_, "crease_edges", desc.crease_edges, kIndex);
     crease_weights_ = read_view(subject_, "crease_weights", desc.crease_weights, kNumber);
@@ -216,18 +215,7 @@ bdpt_data packed(const std::vector<T>& values, bdpt_format format) {
   return d;
 }
 
-FinalCall final_call(const bdpt_data& data) { return {data.release, data.user, data.data}; }
-
 }  // namespace
-
-SubdivisionReleases::SubdivisionReleases(const bdpt_subdivision_desc* desc)
-    : SubdivisionReleases(is_readable(desc) ? copy_readable(*desc) : bdpt_subdivision_desc{}) {}
-
-SubdivisionReleases::SubdivisionReleases(const bdpt_subdivision_desc& d)
-    : calls_{
-          final_call(d.positions),     final_call(d.face_counts),  final_call(d.indices),        final_call(d.uv),
-          final_call(d.uv_indices),    final_call(d.crease_edges), final_call(d.crease_weights), final_call(d.corners),
-          final_call(d.corner_weights)} {}
 
 std::shared_ptr<const Mesh> read_subdivision(const bdpt_subdivision_desc& desc, const RayDevice& device,
                                              const std::shared_ptr<MemoryMeter>& meter) {

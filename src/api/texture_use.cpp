@@ -181,8 +181,7 @@ class UseReader {
     const auto refuse = [&](const char* field, const char* why) {
       subject.refuse(field, "is set, but texture \"", texture.label(), "\" is the host's: ", why);
     };
-    if (use.slot == BDPT_SLOT_OPACITY)
-      refuse("slot", "rays ask for opacity one by one, so give an image for OPACITY");
+    if (use.slot == BDPT_SLOT_OPACITY) refuse("slot", "rays ask for opacity one by one, so give an image for OPACITY");
     if (use.slot == BDPT_SLOT_EMISSION) refuse("slot", "lights are sampled by texels, so give an image for EMISSION");
     if (use.wrap[0] != 0 || use.wrap[1] != 0) refuse("wrap", "it gets coordinates as they are; set it to 0");
     if (use.lookup != 0) refuse("lookup", "it has no texels; set it to 0");
@@ -229,8 +228,9 @@ void read_texture_uses(bdpt_builder& builder, const Subject& material, const bdp
   }
   if (desc.reflectance_texture.id != 0) reader.read_reflectance();
   if (desc.iridescence_thickness_minimum != 0 && !reader.has(BDPT_SLOT_IRIDESCENCE_THICKNESS))
-    material.refuse("iridescence_thickness_minimum", "is ", desc.iridescence_thickness_minimum,
-                    ", but no texture goes from it to iridescence_thickness: give one of slot IRIDESCENCE_THICKNESS, or 0");
+    material.refuse(
+        "iridescence_thickness_minimum", "is ", desc.iridescence_thickness_minimum,
+        ", but no texture goes from it to iridescence_thickness: give one of slot IRIDESCENCE_THICKNESS, or 0");
 }
 
 }  // namespace bdpt

@@ -1,6 +1,7 @@
 #include "light/portal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bdpt {
@@ -14,19 +15,28 @@ constexpr double kLeastAngle = 1e-7, kLeastCosine = 1e-4;
 
 float mixed(double own, int met, double all) { return float((1 - kShare) * own + kShare * met / all); }
 
-// The part in which a place lies, counted from the first; parts of nothing are never chosen.
-template <class Part>
-size_t choose(size_t count, double left, const Part& part) {
-  size_t chosen = 0;
-  for (size_t i = 0; i < count; ++i) {
-    const double p = part(i);
-    if (!(p > 0)) continue;
-    chosen = i;
-    if (left < p) break;
-    left -= p;
+// What portals have a share by: solid angles, or areas.
+struct Parts {
+  std::array<double, Portals::kMost> of;
+  size_t count;
+  double sum = 0;
+
+  template <class Part>
+  Parts(size_t n, const Part& part) : count(n) {
+    for (size_t i = 0; i < n; ++i) sum += of[i] = part(i);
   }
-  return chosen;
-}
+  // The part in which a place lies, counted from the first; parts of nothing are never chosen.
+  size_t choose(double left) const {
+    size_t chosen = 0;
+    for (size_t i = 0; i < count; ++i) {
+      if (!(of[i] > 0)) continue;
+      chosen = i;
+      if (left < of[i]) break;
+      left -= of[i];
+    }
+    return chosen;
+  }
+};
 
 }  // namespace
 
@@ -89,15 +99,13 @@ double Portals::Rectangle::area_across(const Vec3d& w) const {
 
 bool Portals::sample_direction(const Vec3& x, double& u, float u1, float u2, Vec3& w) const {
   if (empty()) return false;
-  const auto solid_angle = [&](size_t i) { return View(rectangles_[i], x).solid_angle; };
-  double sum = 0;
-  for (size_t i = 0; i < rectangles_.size(); ++i) sum += solid_angle(i);
-  if (!(sum > 0)) return false;
+  const Parts angles(rectangles_.size(), [&](size_t i) { return View(rectangles_[i], x).solid_angle; });
+  if (!(angles.sum > 0)) return false;
   if (u >= kShare) {
     u = (u - kShare) / (1 - kShare);
     return false;
   }
-  const Rectangle& r = rectangles_[choose(rectangles_.size(), u / kShare * sum, solid_angle)];
+  const Rectangle& r = rectangles_[angles.choose(u / kShare * angles.sum)];
   const Vec3d d = View(r, x).sample(double(u1), double(u2)).normalized();
   w = Vec3(r.u * d.x + r.v * d.y + r.n * d.z);
   return true;
@@ -120,11 +128,9 @@ float Portals::direction_density(const Vec3& x, const Vec3& w, float own) const 
 bool Portals::sample_ray(const Vec3& w, double u, float u1, float u2, Vec3& p) const {
   if (u >= kShare) return false;
   const Vec3d along(w);
-  const auto area = [&](size_t i) { return rectangles_[i].area_across(along); };
-  double sum = 0;
-  for (size_t i = 0; i < rectangles_.size(); ++i) sum += area(i);
-  if (!(sum > 0)) return false;
-  const Rectangle& r = rectangles_[choose(rectangles_.size(), u / kShare * sum, area)];
+  const Parts areas(rectangles_.size(), [&](size_t i) { return rectangles_[i].area_across(along); });
+  if (!(areas.sum > 0)) return false;
+  const Rectangle& r = rectangles_[areas.choose(u / kShare * areas.sum)];
   p = Vec3(r.corner + r.u * (double(u1) * r.length_u) + r.v * (double(u2) * r.length_v));
   return true;
 }

@@ -11,6 +11,8 @@ namespace bdpt {
 
 class Portals {
  public:
+  static constexpr size_t kMost = 64;  // of one light
+
   Portals() = default;
   explicit Portals(const std::vector<Portal>& portals);
   bool empty() const { return rectangles_.empty(); }

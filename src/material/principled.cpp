@@ -165,7 +165,9 @@ class Principled {
       const Vec3 previous = front_ ? p : Vec3(p.x, p.y, -p.z), next = front_ ? n : Vec3(n.x, n.y, -n.z);
       BsdfValue g = evaluate(boundary(), previous, next, mode);
       if (film_part_ > 0 && !is_black(g.f)) {
-        const Rgb once = evaluate({m_.ior, ggx_, smooth_, true}, previous, next, mode).f;
+        // Without more than single scattering, what was added by it is nothing.
+        const bool is_once = boundary().single_scattering;
+        const Rgb once = is_once ? g.f : evaluate({m_.ior, ggx_, smooth_, true}, previous, next, mode).f;
         g.f = once * film_on_glass(p, n) + (g.f - once) * (1 - film_part_);
       }
       add(Glass, g.f * (reflects ? Rgb(1) : base_) * (glass_ * least), g.density, g.density_reverse);

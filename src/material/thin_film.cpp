@@ -119,6 +119,10 @@ struct ThinFilm::Incidence {
   Airy on(const ThinFilm& film, float base_ior, float cosine_below) const {
     return {outer, Amplitudes(cosine_inside, film.ior_, cosine_below, base_ior)};
   }
+  Rgb reflectance(const Airy& red, const Airy& green, const Airy& blue) const {
+    return {red.reflectance(cos1.r, cos2.r, cos3.r), green.reflectance(cos1.g, cos2.g, cos3.g),
+            blue.reflectance(cos1.b, cos2.b, cos3.b)};
+  }
 };
 
 Rgb ThinFilm::reflectance(float cosine, const Rgb& base_f0) const {
@@ -132,9 +136,7 @@ Rgb ThinFilm::reflectance(float cosine, const Rgb& base_f0) const {
   };
   const Airy red = on(base_f0.r), green = base_f0.g == base_f0.r ? red : on(base_f0.g),
              blue = base_f0.b == base_f0.r ? red : on(base_f0.b);
-  return {red.reflectance(light.cos1.r, light.cos2.r, light.cos3.r),
-          green.reflectance(light.cos1.g, light.cos2.g, light.cos3.g),
-          blue.reflectance(light.cos1.b, light.cos2.b, light.cos3.b)};
+  return light.reflectance(red, green, blue);
 }
 
 Rgb ThinFilm::reflectance_on(float base_ior, float cosine) const {
@@ -143,9 +145,7 @@ Rgb ThinFilm::reflectance_on(float base_ior, float cosine) const {
   if (!(inside > 0) || !(below > 0)) return Rgb(1);
   const Incidence light(*this, cosine, std::sqrt(inside));
   const Airy airy = light.on(*this, base_ior, std::sqrt(below));
-  return {airy.reflectance(light.cos1.r, light.cos2.r, light.cos3.r),
-          airy.reflectance(light.cos1.g, light.cos2.g, light.cos3.g),
-          airy.reflectance(light.cos1.b, light.cos2.b, light.cos3.b)};
+  return light.reflectance(airy, airy, airy);
 }
 
 // The amplitudes add up, as they do at their most.
