@@ -42,7 +42,7 @@ more='s/^\} bdpt_sky_desc;/  float more;\n&/'
 inserted='s/^  float turbidity;/  float grain;\n&/'
 breaks "'float turbidity' offset changed from 96 to 128" "$inserted"
 breaks "'float turbidity' offset changed from 96 to 128" "$inserted" "$more"
-breaks "type name changed from 'float' to 'unsigned int'" 's/^  float turbidity;/  uint32_t turbidity;/' "$more"
+breaks "type of 'float turbidity' changed" 's/^  float turbidity;/  uint32_t turbidity;/' "$more"
 breaks "'float\[3\]' to 'float\[4\]'" 's/^  float ground\[3\];/  float ground[4];/'
 breaks "turbidity' changed to 'bdpt_sky_desc::haze" 's/^  float turbidity;/  float haze;/'
 breaks 'data member deletion' '/^  float ground\[3\];/d'
@@ -51,7 +51,7 @@ breaks 'type size changed from 288 to 320' 's/^\} bdpt_portal;/  float more;\n&/
 breaks 'has another size' '/^typedef struct bdpt_exposure_desc/,/^\}/s/uint32_t reserved;/float more[2];/'
 breaks 'Removed function' '/^BDPT_API .*bdpt_film_clear\(/d'
 breaks "'const char' to 'char'" 's/(bdpt_film_load\(bdpt_context \*context, )const char/\1char/'
-breaks "from 'void' to compatible type" 's/^BDPT_API void bdpt_scene_retain/BDPT_API int32_t bdpt_scene_retain/'
+breaks "'void' to .*'typedef int32_t'" 's/^BDPT_API void bdpt_scene_retain/BDPT_API int32_t bdpt_scene_retain/'
 breaks "'void' to 'const bdpt_progress'" 's/\(\*bdpt_progress_fn\)\(void \*user, const bdpt_progress \*progress\)/(*bdpt_progress_fn)(const bdpt_progress *progress, void *user)/'
 breaks 'BDPT_VIEW_ACES is 7; it was 1' 's/^#define BDPT_VIEW_ACES 1/#define BDPT_VIEW_ACES 7/'
 breaks 'BDPT_VIEW_OCIO is gone' '/^#define BDPT_VIEW_OCIO/d'
@@ -63,8 +63,8 @@ grows 'new constant BDPT_VIEW_MORE 3' 's/^#define BDPT_VIEW_ACES 1/#define BDPT_
 grows 'new function bdpt_more' 's/^BDPT_API .*bdpt_film_clear\(.*$/&\nBDPT_API void bdpt_more(bdpt_film *film);/'
 
 # The library lacks a function of the header, and has one that the header lacks.
-if "$check" --header planted.h --library "$library" 2> told.txt; then exit 1; fi
+if "$check" --header planted.h --library "$library" > told.txt 2>&1; then exit 1; fi
 grep -q 'does not export T bdpt_more@@BDPT_1.0' told.txt
 plant '/^BDPT_API .*bdpt_film_clear\(/d'
-if "$check" --header planted.h --library "$library" 2> told.txt; then exit 1; fi
+if "$check" --header planted.h --library "$library" > told.txt 2>&1; then exit 1; fi
 grep -q 'exports T bdpt_film_clear@@BDPT_1.0, which the header does not have' told.txt
