@@ -187,7 +187,9 @@ class Header:
             kind, line = found.lastgroup, self._line(place)
             if kind == 'comment':
                 self._loose(comment, group)
-                comment = (line, _lines(found['text'], place - source.rfind('\n', 0, place) - 1))
+                comment = (line, _lines(found['text']))
+                if not comment[1] or not self.sections and not comment[1][0].startswith('------'):
+                    raise self._unknown(place)
                 if comment[1][0].startswith('------'):
                     self.sections.append(Section(comment[1][1], _trim(comment[1][2:]), []))
                     comment = group = None
@@ -241,7 +243,7 @@ class Header:
             line = self._line(place)
             comment = _COMMENT.match(self.source, place)
             if comment and comment.end() <= end and fields and not fields[-1].comment:
-                fields[-1].comment = _lines(comment['text'], place - self.source.rfind('\n', 0, place) - 1)
+                fields[-1].comment = _lines(comment['text'])
                 place = comment.end()
                 continue
             found = _FIELD.match(self.source, place)
@@ -284,10 +286,10 @@ def _trim(lines):
 
 
 def _tail(found):
-    return _lines(found['tail'], 0) if found['tail'] else []
+    return _lines(found['tail']) if found['tail'] else []
 
 
-def _lines(text, column=0):
+def _lines(text):
     """A comment's lines without its stars, and without the indentation that all but the first share."""
     lines = [re.sub(r'^\s*\*(?: |$)', '', l) if i else l.strip() for i, l in enumerate(text.split('\n'))]
     rest = [l for l in lines[1:] if l.strip()]
