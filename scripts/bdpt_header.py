@@ -4,6 +4,7 @@
 It knows how that file is written by hand, and nothing else of C. What it does not know is an error (Unknown), so that
 nothing is left out in silence.
 """
+import bisect
 import dataclasses
 import pathlib
 import re
@@ -125,6 +126,7 @@ class Header:
     def __init__(self, path=DEFAULT):
         self.path = pathlib.Path(path)
         self.source = self.path.read_text(encoding='utf-8')
+        self._newlines = [i for i, c in enumerate(self.source) if c == '\n']
         first = re.match(r'/\*(.*?)\*/', self.source, re.S)
         body = re.search(r'extern "C" \{\n#endif\n', self.source)
         end = self.source.rfind('#ifdef __cplusplus\n}\n#endif\n')
@@ -164,7 +166,7 @@ class Header:
     # --- Reading ---
 
     def _line(self, place):
-        return self.source.count('\n', 0, place) + 1
+        return bisect.bisect_left(self._newlines, place) + 1
 
     def _unknown(self, place):
         line = self.source[place:].split('\n', 1)[0]

@@ -48,11 +48,13 @@ breaks "turbidity' changed to 'bdpt_sky_desc::haze" 's/^  float turbidity;/  flo
 breaks 'data member deletion' '/^  float ground\[3\];/d'
 breaks padded 's/^\} bdpt_sky_desc;/  uint8_t more;\n&/'
 breaks 'type size changed from 288 to 320' 's/^\} bdpt_portal;/  float more;\n&/'
-breaks 'has another size' '/^typedef struct bdpt_exposure_desc/,/^\}/s/uint32_t reserved;/float more[2];/'
+breaks 'has another size' \
+  '/^typedef struct bdpt_exposure_desc/,/^\}/s/uint32_t reserved;/float more[2];/'
 breaks 'Removed function' '/^BDPT_API .*bdpt_film_clear\(/d'
 breaks "'const char' to 'char'" 's/(bdpt_film_load\(bdpt_context \*context, )const char/\1char/'
 breaks "'void' to .*'typedef int32_t'" 's/^BDPT_API void bdpt_scene_retain/BDPT_API int32_t bdpt_scene_retain/'
-breaks "'void' to 'const bdpt_progress'" 's/\(\*bdpt_progress_fn\)\(void \*user, const bdpt_progress \*progress\)/(*bdpt_progress_fn)(const bdpt_progress *progress, void *user)/'
+breaks "'void' to 'const bdpt_progress'" \
+  's/\(\*bdpt_progress_fn\)\(void \*user, const bdpt_progress \*progress\)/(*bdpt_progress_fn)(const bdpt_progress *progress, void *user)/'
 breaks 'BDPT_VIEW_ACES is 7; it was 1' 's/^#define BDPT_VIEW_ACES 1/#define BDPT_VIEW_ACES 7/'
 breaks 'BDPT_VIEW_OCIO is gone' '/^#define BDPT_VIEW_OCIO/d'
 breaks 'no function leads to bdpt_lone' 's/^typedef struct bdpt_film bdpt_film;/&\ntypedef int32_t bdpt_lone;/'

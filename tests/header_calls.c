@@ -1,6 +1,6 @@
-/* Calls every function of bdpt.h from C, built without optimisation, so that each must really be there to be linked, and
- * prints the name of each; tests/header_test.sh compares these with the header. With NULL for all that is asked for, each
- * has a defined answer.
+/* Calls every function of bdpt.h from C, built without optimisation, so that each must really be there to be linked,
+ * and prints the name of each; tests/header_test.sh compares these with the header. With NULL for all that is asked
+ * for, each has a defined answer.
  * SPDX-License-Identifier: Apache-2.0 */
 #include <bdpt.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-# The header, by itself, in every language it is for, with all warnings; that such compilations can fail; and a C program
-# that calls every function.
+# The header, by itself, in every language it is for, with all warnings; that such compilations can fail; and a C
+# program that calls every function.
 # SPDX-License-Identifier: Apache-2.0
 set -euo pipefail
 tests=$BDPT_SOURCE_DIR/tests
@@ -16,11 +16,13 @@ everything=(-Weverything -Wno-c++98-compat -Wno-c++98-compat-pedantic -Wno-decla
 compile_all() {
   for standard in c99 c11 c17 c2x; do
     "$BDPT_CC" "${c[@]}" -std=$standard "${strict[@]}" "-I$1" "$2" || return 1
-    [ -z "${BDPT_CLANG-}" ] || "$BDPT_CLANG" "${c[@]}" -std=$standard "${strict[@]}" "${everything[@]}" "-I$1" "$2" || return 1
+    [ -n "${BDPT_CLANG-}" ] || continue
+    "$BDPT_CLANG" "${c[@]}" -std=$standard "${strict[@]}" "${everything[@]}" "-I$1" "$2" || return 1
   done
   for standard in c++98 c++11 c++14 c++17 c++20 c++2b; do
     "$BDPT_CXX" "${cxx[@]}" -std=$standard "${strict[@]}" "-I$1" "$2" || return 1
-    [ -z "${BDPT_CLANGXX-}" ] || "$BDPT_CLANGXX" "${cxx[@]}" -std=$standard "${strict[@]}" "${everything[@]}" "-I$1" "$2" || return 1
+    [ -n "${BDPT_CLANGXX-}" ] || continue
+    "$BDPT_CLANGXX" "${cxx[@]}" -std=$standard "${strict[@]}" "${everything[@]}" "-I$1" "$2" || return 1
   done
 }
 
@@ -28,10 +30,12 @@ compile_all "$BDPT_SOURCE_DIR/include" "$tests/header_test.c"
 "$BDPT_CC" -DBDPT_STATIC "${c[@]}" -std=c99 "${strict[@]}" "-I$BDPT_SOURCE_DIR/include" "$tests/header_test.c"
 
 # A handle of one kind is not taken for another.
-status=0
-"$BDPT_CC" "${c[@]}" -std=c99 "${strict[@]}" "-I$BDPT_SOURCE_DIR/include" "$tests/header_wrong_handle.c" 2> "$folder/told.txt" ||
-  status=$?
-{ [ $status != 0 ] && grep -q incompatible "$folder/told.txt"; } || { echo "a film was taken for a scene"; exit 1; }
+if "$BDPT_CC" "${c[@]}" -std=c99 "${strict[@]}" "-I$BDPT_SOURCE_DIR/include" "$tests/header_wrong_handle.c" \
+  2> "$folder/told.txt"; then
+  echo "a film was taken for a scene"
+  exit 1
+fi
+grep -q incompatible "$folder/told.txt"
 
 # What only some languages have, or what warnings are for, is seen: in C, in C++98, and by layout.
 for planted in 'BDPT_API void bdpt_lone();' 'bool bdpt_lone(void);' \

@@ -1,5 +1,5 @@
-# scripts/reference makes a page that has everything the header declares and says, and whose links lead somewhere; and what
-# looks for that sees a page that does not.
+# scripts/reference makes a page that has everything the header declares and says, and whose links lead somewhere; and
+# what looks for that sees a page that does not.
 # SPDX-License-Identifier: Apache-2.0
 set -eu
 command -v python3 > /dev/null || exit 77
