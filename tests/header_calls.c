@@ -8,7 +8,7 @@
 
 static int failures;
 
-static void called(const char *name, int as_expected) {
+static void called(const char* name, int as_expected) {
   puts(name);
   if (!as_expected) {
     ++failures;
@@ -17,7 +17,7 @@ static void called(const char *name, int as_expected) {
 }
 
 /* NULL is refused, and the text names the function. */
-#define REFUSED(function, arguments)                                      \
+#define REFUSED(function, arguments)                                     \
   called(#function, function arguments == BDPT_ERROR_INVALID_ARGUMENT && \
                         strncmp(bdpt_last_error(), #function, strlen(#function)) == 0)
 /* NULL is ignored. */
