@@ -75,7 +75,8 @@ for comment in re.findall(r'/\*(.*?)\*/', source.replace('/* BDPT_H */', ''), re
             if bare(part).rstrip('.') not in text:
                 lacks.append(f'not on the page: {part.strip()}')
 
-print('\n'.join(lacks))
+for lack in lacks:
+    print(lack)
 sys.exit(len(lacks) > 0)
 END
 
