@@ -1587,9 +1587,11 @@ typedef struct bdpt_render_desc {
  *                subpaths for each eye subpath all over the image, as a short pilot at the start of the first call
  *                advises. All passes of a seed have the same choice; bdpt_render_stats tells it. As without bias as the
  *                other plans: what does not find all paths of this scene is not chosen
- * Returns: the name of plan number `index`, and a line about it; NULL past the last. Threads: any thread.
- * Callbacks: allowed. Ownership: the library's, for ever. */
+ * Returns: the name of plan number `index`; NULL past the last. Threads: any thread. Callbacks: allowed.
+ * Ownership: the library's, for ever. */
 BDPT_API const char *bdpt_plan_name(uint32_t index);
+/* A line about plan number `index`. Returns: it; NULL past the last. Threads: any thread. Callbacks: allowed.
+ * Ownership: the library's, for ever. */
 BDPT_API const char *bdpt_plan_summary(uint32_t index);
 
 /* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options
