@@ -105,7 +105,7 @@ bdpt_result bdpt_context_get_info(const bdpt_context* context, bdpt_context_info
     bdpt_context_info result{};
     result.threads = context->executor->worker_count();
     result.isa = static_cast<bdpt_isa>(context->device->isa());
-    result.embree = RayDevice::version();
+    result.embree = context->device->running_version();
     result.memory = context->meter->used();
     result.memory_peak = context->meter->peak();
     write_struct(result, info);
