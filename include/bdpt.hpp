@@ -422,6 +422,28 @@ class Builder {
   }
   bdpt_medium_id add_medium(const bdpt_medium_desc& d) { return add<bdpt_medium_id>(bdpt_medium_add, d); }
   bdpt_material_id add_material(const bdpt_material_desc& d) { return add<bdpt_material_id>(bdpt_material_add, d); }
+  // And an object with the functions of bdpt_host_material, without `user` and const: evaluate and sample, on any
+  // thread that renders. `host` has the rest. What they throw is a rejected contribution, like an answer other than
+  // zero.
+  template <class Material>
+  bdpt_material_id add_host_material(bdpt_material_desc desc, bdpt_host_material host, Material material) {
+    using Kept = detail::KeptOf<Material>;
+    using Place = bdpt_scattering_place;
+    detail::Handover kept(std::make_unique<Kept>(std::move(material), std::make_shared<detail::Fault>()));
+    host.evaluate = [](void* user, const Place* place, const float next[3], bdpt_scattering_value* value) {
+      return Kept::call(user, [&](const Material& m) { return m.evaluate(*place, next, *value); });
+    };
+    host.sample = [](void* user, const Place* place, const float u[3], float next[3]) {
+      return Kept::call(user, [&](const Material& m) { return m.sample(*place, u, next); });
+    };
+    host.user = kept.user(), host.drop = detail::Kept::drop;
+    const detail::In<bdpt_host_material> in(host);
+    desc.type = BDPT_MATERIAL_HOST;
+    desc.host = in;
+    bdpt_material_id id{};
+    check(kept.taken_if_ok(bdpt_material_add(get(), detail::In(desc), &id)));
+    return id;
+  }
   bdpt_light_id add_light(const bdpt_light_desc& d) { return add<bdpt_light_id>(bdpt_light_add, d); }
   bdpt_instance_id add_instance(const bdpt_instance_desc& d) { return add<bdpt_instance_id>(bdpt_instance_add, d); }
 

@@ -526,6 +526,58 @@ TEST(ApiHpp, MeasurementsAreObjectsThatAreDroppedOnceAndMayThrow) {
   EXPECT_EQ(0, alive);
 }
 
+// Lambert's, or one that throws.
+struct Matt {
+  Captured captured;
+  const std::atomic<bool>* throws;
+  void evaluate(const bdpt_scattering_place& place, const float next[3], bdpt_scattering_value& value) const {
+    if (*throws) throw Thrown{0};
+    if (place.previous[2] * next[2] <= 0) return;
+    for (float& f : value.f) f = 0.5f * 0.31830989f;
+    value.density = std::abs(next[2]) * 0.31830989f;
+    value.density_reverse = std::abs(place.previous[2]) * 0.31830989f;
+  }
+  int32_t sample(const bdpt_scattering_place& place, const float u[3], float next[3]) const {
+    const float r = std::sqrt(u[0]), phi = 6.2831853f * u[1], z = std::sqrt(std::max(0.f, 1 - u[0]));
+    next[0] = r * std::cos(phi), next[1] = r * std::sin(phi), next[2] = place.previous[2] > 0 ? z : -z;
+    return 0;
+  }
+};
+
+TEST(ApiHpp, MaterialsAreObjectsThatAreDroppedOnceAndWhoseExceptionsAreCounted) {
+  std::atomic<int> alive{0};
+  std::atomic<bool> throws{false};
+  {
+    HppWorld world;
+    bdpt_material_desc desc{};
+    bdpt_host_material host{};
+    const bdpt_material_id matt = world.builder.add_host_material(desc, host, Matt{Captured(alive), &throws});
+    EXPECT_EQ(1, alive);
+    bdpt::Builder builder(world.context);
+    const HppContents contents(builder);
+    const bdpt_material_id own = builder.add_host_material(desc, host, Matt{Captured(alive), &throws});
+    builder.add_instance(instance_desc(contents.ball, own, 0.5f, 2.5f));  // behind the lamp
+    builder.add_instance(instance_desc(contents.square, own, 0.3f, 0.001f));
+    world.builder.remove(matt);
+    EXPECT_EQ(1, alive);
+    const bdpt::Scene scene = builder.build();
+    bdpt::Render render(scene, world.sensor, world.film);
+    render.advance(64);
+    EXPECT_EQ(0u, world.film.info().rejected);
+    throws = true;
+    render.advance(1);
+    EXPECT_GT(world.film.info().rejected, 0u);
+    EXPECT_EQ(1, alive);
+    bdpt_material_desc shining = desc;
+    shining.opacity_mode = 77;
+    expect_error(BDPT_ERROR_INVALID_ARGUMENT, "opacity_mode", [&] {
+      builder.add_host_material(shining, host, Matt{Captured(alive), &throws});
+    });
+    EXPECT_EQ(1, alive);
+  }
+  EXPECT_EQ(0, alive);
+}
+
 TEST(ApiHpp, ExecutorsAndLogsAreCallablesThatAreDroppedOnce) {
   std::atomic<int> alive{0}, runs{0}, lines{0};
   std::atomic<bool> throws{false};
