@@ -557,7 +557,7 @@ TEST(ApiHpp, MaterialsAreObjectsThatAreDroppedOnceAndWhoseExceptionsAreCounted) 
     const HppContents contents(builder);
     const bdpt_material_id own = builder.add_host_material(desc, host, Matt{Captured(alive), &throws});
     builder.add_instance(instance_desc(contents.ball, own, 0.5f, 2.5f));  // behind the lamp
-    builder.add_instance(instance_desc(contents.square, own, 0.3f, 0.001f));
+    builder.add_instance(instance_desc(contents.square, own, 1.5f, 0.001f));
     world.builder.remove(matt);
     EXPECT_EQ(1, alive);
     const bdpt::Scene scene = builder.build();

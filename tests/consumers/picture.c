@@ -1,9 +1,9 @@
-/* A program of somebody else's, outside of this project: renders a lamp over a floor, and writes what it measured. */
+/* A program of somebody else's, outside of this project: measures the light of a lamp, over a floor. */
 #include <bdpt.h>
 #include <stdio.h>
 
 int main(void) {
-  static const float corners[4][3] = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}};
+  static const float corners[4][3] = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}, {-1, -1, -1}};
   static const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
   bdpt_mesh_desc mesh = {.struct_size = sizeof mesh,
                          .positions = {.data = corners, .count = 4, .format = BDPT_FORMAT_FLOAT3},

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 int main() try {
-  const float corners[4][3] = {{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}};
+  const float corners[4][3] = {{-1, -1, 1}, {1, -1, 1}, {1, -1, -1}, {-1, -1, -1}};
   const uint16_t triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
   const bdpt::Context context;
   bdpt::Builder builder(context);

@@ -4,7 +4,7 @@ use bdpt::*;
 fn main() -> Result<()> {
     let context = Context::new()?;
     let mut builder = Builder::new(&context)?;
-    let (a, b, c, d) = ([-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]);
+    let (a, b, c, d) = ([-1.0, -1.0, 1.0], [1.0, -1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, -1.0, -1.0]);
     let floor = builder.add_mesh(Mesh::new([a, b, c, a, c, d]))?;
     let grey = builder.add_material(Material::diffuse([0.5; 3]))?;
     builder.add_instance(&Instance::new(floor, grey))?;
