@@ -8,7 +8,7 @@ fn main() -> Result<()> {
     let floor = builder.add_mesh(Mesh::new([a, b, c, a, c, d]))?;
     let grey = builder.add_material(Material::diffuse([0.5; 3]))?;
     builder.add_instance(&Instance::new(floor, grey))?;
-    builder.add_light(Light::point([0.0, 2.0, 0.0], [4.0; 3]))?;
+    builder.add_light(&Light::point([0.0, 2.0, 0.0], [4.0; 3]))?;
     let sensor = Points::new(&[Point::new([0.0; 3]).normal([0.0, 1.0, 0.0])]).create(&context)?;
     let film = Film::new(&sensor, &FilmOptions::default())?;
     let mut render = Render::new(&builder.build()?, &sensor, film, &RenderOptions::new())?;
