@@ -9,6 +9,8 @@
  *   A builder collects shapes, textures, materials, lights and instances and builds an immutable scene. A sensor says
  *   what is measured, a film holds the measurements, a render joins the three and samples them, pass by pass. One pass
  *   is one sample per measurement (per pixel, for a camera).
+ *   A whole program is examples/c/hello.c, of 60 lines. bdpt.hpp is the same for C++, with handles that release
+ *   themselves. docs/embedding.md tells what a program can rely on that has threads, limits and logs of its own.
  *
  * Conventions
  *   Structs    Every struct passed by pointer begins with struct_size; set it to sizeof the struct. Zero is the
