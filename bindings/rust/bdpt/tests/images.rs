@@ -134,7 +134,8 @@ fn colours_go_there_and_back() {
     let context = Context::new().unwrap();
     let mut colors = [[0.1, 0.2, 0.3], [1.0, 1.0, 1.0]];
     context.convert_colors(None, Some("ACEScg"), &mut colors).unwrap();
-    assert!((colors[0][0] - 0.1).abs() > 1e-3);
+    // Rec. 709's primaries lie inside of ACEScg's: colours are less saturated there.
+    assert!(colors[0][0] > 0.11 && colors[0][2] < 0.3);
     for c in 0..3 {
         assert!((colors[1][c] - 1.0).abs() < 1e-5); // white is white in all
     }
