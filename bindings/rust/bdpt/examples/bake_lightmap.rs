@@ -28,9 +28,9 @@ fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let glass = builder.add_material(Material::dielectric(1.5))?;
     let lamp = builder.add_material(Material::diffuse([0.0; 3]).emission([150.0; 3]))?;
 
-    let wall_at = Transform::from([3.0, 0.0, 0.0, 0.0, 0.0, 0.0, -3.0, 1.5, 0.0, 1.0, 0.0, -1.5]); // looks along +z
-    let lamp_at = Transform::from([0.3, 0.0, 0.0, 0.5, 0.0, -1.0, 0.0, 3.0, 0.0, 0.0, -0.3, 0.5]); // looks down
-    let floor_at = Transform::from([3.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0]);
+    let wall_at = Transform::from_rows([3.0, 0.0, 0.0, 0.0, 0.0, 0.0, -3.0, 1.5, 0.0, 1.0, 0.0, -1.5]); // looks along +z
+    let lamp_at = Transform::from_rows([0.3, 0.0, 0.0, 0.5, 0.0, -1.0, 0.0, 3.0, 0.0, 0.0, -0.3, 0.5]); // looks down
+    let floor_at = Transform::from_rows([3.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.0]);
     let floor = builder.add_instance(&Instance::new(square, grey).transform(floor_at))?;
     let wall = builder.add_instance(&Instance::new(square, grey).transform(wall_at))?;
     builder.add_instance(&Instance::new(ball, glass))?;
@@ -47,13 +47,13 @@ fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
         .create(&scene)?;
     let film = Film::new(&sensor, &FilmOptions::default())?;
     let mut render = Render::new(&scene, &sensor, film, &RenderOptions::default().max_edges(6))?;
-    render.advance(&Advance::passes(passes))?;
+    render.advance(Advance::passes(passes))?;
 
     // Each plane, its margins filled, is a layer of the file.
     let texels = sensor.lightmap_texels()?;
     let mut planes = Vec::new();
     for plane in 0..6 {
-        let mut image = render.film().read_with(&ReadOptions::default().plane(plane))?;
+        let mut image = render.film().read(ReadOptions::new(Layer::Color).plane(plane))?;
         Dilate::new(SIDE, SIDE, 3).run(image.as_floats_mut(), &mut texels.mask())?;
         planes.push(image);
     }

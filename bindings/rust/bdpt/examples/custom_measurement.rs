@@ -109,7 +109,7 @@ fn add_leaf(builder: &mut Builder, square: ShapeId, green: MaterialId, k: u16) -
     let rows: Vec<f32> = (0..3).flat_map(row).collect();
     let mut matrix = [0.0; 12];
     matrix.copy_from_slice(&rows);
-    let instance = builder.add_instance(&Instance::new(square, green).transform(Transform::from(matrix)))?;
+    let instance = builder.add_instance(&Instance::new(square, green).transform(Transform::from_rows(matrix)))?;
     Ok(Leaf { instance, middle, along, across, normal })
 }
 
@@ -128,9 +128,9 @@ fn measure(leaves: u16, passes: u64) -> Result<[Vec<f32>; 2]> {
     let scene = builder.build()?;
     let film = Film::new(&sensor, &FilmOptions::default())?;
     let mut render = Render::new(&scene, &sensor, film, &RenderOptions::default())?;
-    render.advance(&Advance::passes(passes))?;
+    render.advance(Advance::passes(passes))?;
     let read = |plane| -> Result<Vec<f32>> {
-        let image = render.film().read_with(&ReadOptions::default().plane(plane))?;
+        let image = render.film().read(ReadOptions::new(Layer::Color).plane(plane))?;
         Ok(image.pixels().iter().take(count).map(|pixel| pixel[0]).collect())
     };
     Ok([read(0)?, read(1)?])

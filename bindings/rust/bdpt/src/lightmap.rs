@@ -4,6 +4,7 @@
 use crate::cancel::{token_ptr, CancelToken};
 use crate::count::{array, count, zeros};
 use crate::error::Result;
+use crate::film_options::{FilmOptions, MemoryEstimate};
 use crate::id::InstanceId;
 use crate::output::Output;
 use crate::panics::{call, make};
@@ -176,6 +177,23 @@ impl Lightmap {
             // SAFETY: the call gave one reference.
             |raw| unsafe { Sensor::new(raw, scene.panics().clone(), scene.context().clone()) },
         )
+    }
+
+    /// What the sensor, a film and its render will take, before there is one. With
+    /// [`band_rows`](MemoryEstimate::band_rows): bake the map in bands of so many rows of [`rect`](Self::rect), each a
+    /// lightmap with [`film_of_rect`](Self::film_of_rect), and none needs more than `budget` bytes. A budget of 0 is what
+    /// is left of the context's memory limit.
+    ///
+    /// # Errors
+    /// [`InvalidArgument`](crate::ErrorCode::InvalidArgument), [`InvalidId`](crate::ErrorCode::InvalidId).
+    pub fn estimate(&self, scene: &Scene, film: &FilmOptions, budget: u64) -> Result<MemoryEstimate> {
+        let desc = self.desc()?;
+        let mut raw = sys::bdpt_memory_estimate::default();
+        call(scene.panics(), || {
+            // SAFETY: the scene is alive, what desc points to is borrowed from self, the structs have their sizes set.
+            unsafe { sys::bdpt_lightmap_estimate(scene.as_ptr(), &desc, &film.raw, budget, &mut raw) }
+        })?;
+        Ok(MemoryEstimate::new(&raw))
     }
 
     /// Points into `self`.

@@ -2,6 +2,7 @@
 //! Meshes in an atlas, to look at their lightmap coordinates and at the seams between charts.
 
 use crate::count::array;
+use crate::transform::Transform;
 use bdpt_sys as sys;
 use std::os::raw::c_void;
 
@@ -19,7 +20,7 @@ pub struct UvInstance<'a> {
     uv: &'a [[f32; 2]],
     triangles: Triangles<'a>,
     normals: &'a [[f32; 3]],
-    transform: [f32; 12],
+    transform: Transform,
     scale: [f32; 2],
     offset: [f32; 2],
     atlas: u32,
@@ -41,7 +42,7 @@ impl<'a> UvInstance<'a> {
             uv,
             triangles: Triangles::InOrder,
             normals: &[],
-            transform: [0.0; 12],
+            transform: Transform::IDENTITY,
             scale: [0.0; 2],
             offset: [0.0; 2],
             atlas: 0,
@@ -62,8 +63,8 @@ impl<'a> UvInstance<'a> {
         self.normals = normals;
         self
     }
-    /// Object to world, three rows of four, invertible; the identity by default.
-    pub fn transform(mut self, transform: [f32; 12]) -> Self {
+    /// Object to world, invertible; the identity by default.
+    pub fn transform(mut self, transform: Transform) -> Self {
         self.transform = transform;
         self
     }
@@ -101,7 +102,7 @@ impl<'a> RawInstances<'a> {
         let meshes: Vec<_> = instances.iter().map(mesh).collect();
         let instances = (instances.iter().zip(&meshes)).map(|(one, mesh)| sys::bdpt_uv_instance {
             mesh,
-            transform: one.transform,
+            transform: one.transform.into(),
             uv_scale: one.scale,
             uv_offset: one.offset,
             atlas: one.atlas,

@@ -11,7 +11,7 @@ use std::ptr::null;
 ///
 /// ```
 /// # fn main() -> bdpt::Result<()> {
-/// use bdpt::{UvCheck, UvInstance};
+/// use bdpt::{Transform, UvCheck, UvInstance};
 /// let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
 /// let uv = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.9]];
 /// let square = UvInstance::new(&positions, &uv).small_triangles(&[[0, 1, 2], [0, 2, 3]]);
@@ -19,7 +19,7 @@ use std::ptr::null;
 /// assert_eq!((report.charts, report.overlaps_within, report.texels_shared), (1, 0, 0));
 /// assert!((report.density_mean - 0.8 * 64.0).abs() < 1e-2);
 /// // The same place twice: the two instances overlap.
-/// let there = square.transform([1.0, 0.0, 0.0, 5.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+/// let there = square.transform(Transform::translate([5.0, 0.0, 0.0]));
 /// assert!(UvCheck::new(64, 64).run(&[square, there])?.overlaps_between >= 2);
 /// # Ok(()) }
 /// ```

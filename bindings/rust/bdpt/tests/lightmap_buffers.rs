@@ -3,7 +3,7 @@
 //! Work on the buffers of lightmaps: gutters, seams, coordinates, encodings.
 
 use bdpt::{
-    encode_half, encode_rgbd, encode_rgbm, AtlasImage, Coefficients, Dilate, ErrorCode, FixSeams, Sh, UvCheck,
+    encode_half, encode_rgbd, encode_rgbm, AtlasImage, Coefficients, Dilate, ErrorCode, FixSeams, Sh, Transform, UvCheck,
     UvInstance,
 };
 
@@ -106,7 +106,7 @@ fn coordinates_that_cannot_be_looked_at() {
         ErrorCode::InvalidArgument
     );
     assert_eq!(code(check.run(&[square().normals(&POSITIONS[..1])])), ErrorCode::InvalidArgument);
-    assert_eq!(code(check.run(&[square().transform([1.0; 12])])), ErrorCode::InvalidArgument);
+    assert_eq!(code(check.run(&[square().transform(Transform::from_rows([1.0; 12]))])), ErrorCode::InvalidArgument);
     assert_eq!(code(check.run(&[UvInstance::new(&[], &[])])), ErrorCode::InvalidArgument);
     for size in [(0, 16), (16, 0), (1 << 17, 1), (1 << 15, 1 << 15), (u32::MAX, u32::MAX)] {
         assert_eq!(code(UvCheck::new(size.0, size.1).run_with_maps(&[square()])), ErrorCode::InvalidArgument);
