@@ -9,7 +9,6 @@ use std::marker::PhantomData;
 use std::mem::size_of;
 use std::ops::Range;
 use std::os::raw::c_void;
-use std::ptr::null;
 use std::sync::Arc;
 
 mod sealed {
@@ -79,7 +78,7 @@ enum Storage<T: Element> {
 
 /// Elements in memory that an owner keeps.
 struct View<T: Element> {
-    owner: Owner,
+    _owner: Owner,
     first: *const T::Number,
     count: usize,
     /// In bytes; 0 = packed.
@@ -122,10 +121,7 @@ unsafe impl Sync for Owner {}
 ///
 /// # Safety
 /// `owner` is valid for 'a, and only shared references to it are made meanwhile.
-unsafe fn content<'a, O: AsRef<[N]>, N: 'a>(owner: *const O) -> &'a [N]
-where
-    O: 'a,
-{
+unsafe fn content<'a, O: AsRef<[N]> + 'a, N: 'a>(owner: *const O) -> &'a [N] {
     // SAFETY: as the caller says.
     unsafe { &*owner }.as_ref()
 }
@@ -185,7 +181,7 @@ impl<T: Element> Data<T> {
     }
 
     fn view(owner: Owner, first: *const T::Number, count: usize, stride: usize, slack: usize) -> Self {
-        Self { storage: Storage::Owner(View { owner, first, count, stride, slack, element: PhantomData }) }
+        Self { storage: Storage::Owner(View { _owner: owner, first, count, stride, slack, element: PhantomData }) }
     }
 
     /// How many elements there are.
@@ -297,15 +293,5 @@ impl<T: Element, const N: usize> From<[T; N]> for Data<T> {
 impl<T: Element> fmt::Debug for Data<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Data").field("len", &self.len()).finish()
-    }
-}
-
-/// The pointer of a slice for the library; NULL where it is empty.
-#[allow(dead_code)]
-pub(crate) fn slice_ptr<T>(slice: &[T]) -> *const T {
-    if slice.is_empty() {
-        null()
-    } else {
-        slice.as_ptr()
     }
 }

@@ -79,3 +79,12 @@ pub(crate) unsafe fn slice_mut<'a, T>(data: *mut T, count: usize) -> &'a mut [T]
     // SAFETY: as the caller says.
     unsafe { std::slice::from_raw_parts_mut(data, count) }
 }
+
+/// The pointer of a slice for the library; NULL where it is empty.
+pub(crate) fn pointer<T>(slice: &[T]) -> *const T {
+    if slice.is_empty() {
+        std::ptr::null()
+    } else {
+        slice.as_ptr()
+    }
+}

@@ -57,6 +57,26 @@ fn keep_here(payload: Payload) -> Option<Payload> {
     None
 }
 
+/// Runs the host's code inside a callback of the call that this thread is in the middle of; `None` if it panicked.
+pub(crate) fn catch_here<R>(code: impl FnOnce() -> R) -> Option<R> {
+    match catch_unwind(AssertUnwindSafe(code)) {
+        Ok(result) => Some(result),
+        Err(payload) => {
+            if let Some(payload) = keep_here(payload) {
+                discard(payload);
+            }
+            None
+        }
+    }
+}
+
+/// Whether a callback of the call that this thread is in the middle of panicked.
+pub(crate) fn is_set_here() -> bool {
+    let frame = INNERMOST.with(Cell::get);
+    // SAFETY: as in keep_here.
+    !frame.is_null() && unsafe { &*frame }.payload.borrow().is_some()
+}
+
 /// Drops a payload whose own drop may panic.
 pub(crate) fn discard(payload: Payload) {
     if let Err(again) = catch_unwind(AssertUnwindSafe(|| drop(payload))) {
@@ -71,14 +91,18 @@ pub(crate) struct Panics(Arc<Slot>);
 #[derive(Default)]
 struct Slot {
     payload: Mutex<Option<Payload>>,
-    /// Of the context that the object was made in.
-    outer: Option<Panics>,
+    /// Of what the object was made in or of: what is resumed for it includes these.
+    outer: [Option<Panics>; 2],
 }
 
 impl Panics {
-    /// Those of an object made in a context: what is resumed for it includes the context's.
+    /// Those of an object made in a context.
     pub(crate) fn of_child(&self) -> Self {
-        Self(Arc::new(Slot { payload: Mutex::default(), outer: Some(self.clone()) }))
+        Self(Arc::new(Slot { payload: Mutex::default(), outer: [Some(self.clone()), None] }))
+    }
+    /// Those of two objects.
+    pub(crate) fn and(&self, other: &Self) -> Self {
+        Self(Arc::new(Slot { payload: Mutex::default(), outer: [Some(self.clone()), Some(other.clone())] }))
     }
 
     fn slot(&self) -> MutexGuard<'_, Option<Payload>> {
@@ -116,12 +140,12 @@ impl Panics {
 
     /// Whether a callback on another thread panicked.
     pub(crate) fn is_set(&self) -> bool {
-        self.slot().is_some() || self.0.outer.as_ref().map_or(false, Panics::is_set)
+        self.slot().is_some() || self.0.outer.iter().flatten().any(Panics::is_set)
     }
 
     pub(crate) fn take(&self) -> Option<Payload> {
         let own = self.slot().take();
-        own.or_else(|| self.0.outer.as_ref().and_then(Panics::take))
+        own.or_else(|| self.0.outer.iter().flatten().find_map(Panics::take))
     }
 
     /// Goes on with a panic that was kept: that of this thread's call, or one of another thread.
