@@ -3,8 +3,8 @@
 //! Work on the buffers of lightmaps: gutters, seams, coordinates, encodings.
 
 use bdpt::{
-    encode_half, encode_rgbd, encode_rgbm, AtlasImage, Coefficients, Dilate, ErrorCode, FixSeams, Sh, Transform, UvCheck,
-    UvInstance,
+    encode_half, encode_rgbd, encode_rgbm, AtlasImage, Coefficients, Dilate, ErrorCode, FixSeams, Sh, Transform,
+    UvCheck, UvInstance,
 };
 
 fn code<T>(result: bdpt::Result<T>) -> ErrorCode {
