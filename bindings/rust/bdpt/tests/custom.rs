@@ -196,6 +196,8 @@ fn a_panic_in_each_function_goes_on_where_the_call_was_made() {
             assert_eq!(*panic.downcast::<String>().unwrap(), format!("{fault:?}"));
             assert_eq!(setting.drops.drops(), 0);
         }
+        // The panic stopped the call, long before its end.
+        assert!(render.film().info().unwrap().passes < 64);
         // The render goes on when the fault is gone, and nothing of the panic is left.
         setting.armed.store(false, Ordering::SeqCst);
         let report = render.advance(Advance::passes(4)).unwrap();
@@ -254,7 +256,7 @@ fn a_panic_while_it_is_dropped_goes_on_there() {
     let sensor = setting.sensor(Fault::Drop);
     let clone = sensor.clone();
     drop(sensor);
-    let panic = catch_unwind(AssertUnwindSafe(|| drop(clone))).err().expect("a panic");
+    let panic = catch_unwind(AssertUnwindSafe(|| drop(clone))).expect_err("a panic");
     assert_eq!(*panic.downcast::<String>().unwrap(), "Drop");
     assert_eq!(setting.drops.drops(), 1);
     // And when it is refused.
