@@ -47,8 +47,9 @@
  *   called on objects in use; others return BDPT_ERROR_REENTRANT.
  *
  * Determinism
- *   The same library build, ISA setting, scene, options, seed and pass range give the same film, bit for bit, whatever
- *   the number of threads, the executor, the block size, interruptions, or the ranges that were merged.
+ *   The same library build, instruction sets (bdpt_context_info), scene, options, seed and pass range give the same film,
+ *   bit for bit, whatever the number of threads, the executor, the block size, interruptions, or the ranges that were
+ *   merged.
  */
 #ifndef BDPT_H
 #define BDPT_H
@@ -156,6 +157,7 @@ typedef int32_t bdpt_isa;
 #define BDPT_ISA_SSE42 1
 #define BDPT_ISA_AVX2 2
 #define BDPT_ISA_AVX512 3
+#define BDPT_ISA_NEON 4 /* of 64-bit Arm */
 
 typedef struct bdpt_context_desc {
   uint32_t struct_size;
@@ -172,7 +174,7 @@ typedef struct bdpt_context_desc {
 
 /* Creates a context. abi must be BDPT_ABI; desc may be NULL for all defaults.
  * Returns: BDPT_ERROR_ABI, _INVALID_ARGUMENT (also for a rendering space that is unknown or not linear), _UNSUPPORTED
- * (the ISA is not on this machine), _IO (no such configuration), _FORMAT (a damaged one), _OUT_OF_MEMORY.
+ * (an ISA, or what BDPT_ISA asks for, is not to be had), _IO (no such configuration), _FORMAT (a damaged one), _OUT_OF_MEMORY.
  * Threads: any thread. Callbacks: allowed. Ownership: the caller gets one reference. executor and log are copied;
  * their drop is called once, also when this call fails, except with BDPT_ERROR_ABI or a struct_size of no version,
  * when the structs are not read. */
@@ -190,6 +192,10 @@ typedef struct bdpt_context_info {
   uint32_t embree;       /* version of Embree, as 10000 major + 100 minor + patch */
   uint64_t memory;       /* bytes in use by scenes (Embree's included), films and blocks */
   uint64_t memory_peak;  /* the most that was in use */
+  bdpt_isa code_isa;     /* of the library's own code: the widest that this machine and this build have, when the library
+                            was loaded; the environment variable BDPT_ISA (baseline, avx2, avx512) asks for less. Where
+                            there is no AVX2, BDPT_ISA_SSE42, though the code asks for less */
+  uint32_t reserved;
 } bdpt_context_info;
 
 /* Tells what the context is made of and what it uses.
@@ -632,10 +638,13 @@ typedef struct bdpt_scattering_value {
 typedef struct bdpt_host_material {
   uint32_t struct_size;
   uint32_t transmits; /* 1: light may go through; 0: you are asked for two directions on one side only */
-  void *user;         /* to be valid as long as the builder and its scenes are */
+  void *user;
   int32_t (*evaluate)(void *user, const bdpt_scattering_place *place, const float next[3], bdpt_scattering_value *value);
   int32_t (*sample)(void *user, const bdpt_scattering_place *place, const float u[3], float next[3]);
                       /* u: uniform in [0,1); next comes as zero: left so, the light is absorbed */
+  void (*drop)(void *user); /* called once when the last builder or scene that has the material is gone, and when the call
+                               fails that is given it; may be NULL */
+  uint64_t hash;      /* of all that decides f: films of other scenes do not merge */
 } bdpt_host_material;
 
 typedef struct bdpt_material_desc {
@@ -704,13 +713,14 @@ typedef struct bdpt_material_desc {
 
 /* Adds a material. The anisotropic direction u is that of uv set 0.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT, _INVALID_ID (texture), _OUT_OF_MEMORY. Threads: one thread per object.
- * Callbacks: not for the builder in use. Ownership: copies.
+ * Callbacks: not for the builder in use. Ownership: copies; a host's drop is called also when this call fails, except for
+ * a struct_size of no version.
  * Source: GGX by Walter et al. (2007), visible normals sampled after Heitz (2018); what is scattered more than once by
  * Kulla and Conty (2017); Oren-Nayar by Portsmouth, Kutz and Hill (2024); thin films after Belcour and Barla (2017). */
 BDPT_API BDPT_CHECK bdpt_result bdpt_material_add(bdpt_builder *builder, const bdpt_material_desc *desc, bdpt_material_id *material);
 /* Replaces a material's description for scenes built from now on.
  * Returns: as bdpt_material_add, and BDPT_ERROR_INVALID_ID. Threads: one thread per object.
- * Callbacks: not for the builder in use. Ownership: copies. */
+ * Callbacks: not for the builder in use. Ownership: as bdpt_material_add. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_material_update(bdpt_builder *builder, bdpt_material_id material, const bdpt_material_desc *desc);
 /* The complex index of a measured metal, in linear Rec.709: Ag, Al, Au or Cu.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT (no such metal). Threads: any thread. Callbacks: allowed. Ownership: none.

@@ -101,7 +101,7 @@ TEST(ApiContext, DescriptionsAreChecked) {
   };
   refused([](Host& h) { h.desc.threads = 4097; });
   refused([](Host& h) { h.desc.threads = 2; });  // beside an executor
-  refused([](Host& h) { h.desc.isa = 4; });
+  refused([](Host& h) { h.desc.isa = 5; });
   refused([](Host& h) { h.desc.isa = -1; });
   refused([](Host& h) { h.desc.reserved = 1; });
   refused([](Host& h) { h.executor.run = nullptr; });

@@ -98,6 +98,66 @@ TEST_F(ApiMaterialKinds, AMixIsMadeOfTwoThatAreNone) {
   EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_material([&](auto& d) { d.parts[1] = other; }));
 }
 
+bdpt_host_material make_black_host(int* dropped) {
+  bdpt_host_material host = make<bdpt_host_material>();
+  host.user = dropped;
+  host.evaluate = [](void*, const bdpt_scattering_place*, const float*, bdpt_scattering_value*) { return int32_t(0); };
+  host.sample = [](void*, const bdpt_scattering_place*, const float*, float*) { return int32_t(0); };
+  host.drop = [](void* user) { ++*static_cast<int*>(user); };
+  return host;
+}
+
+TEST_F(ApiMaterialKinds, AHostsMaterialIsDroppedOnceByWhoeverHasItLast) {
+  int dropped = 0, refused = 0;
+  const Contents contents(b_);
+  bdpt_host_material host = make_black_host(&dropped);
+  bdpt_material_desc desc = make<bdpt_material_desc>();
+  desc.type = BDPT_MATERIAL_HOST;
+  desc.host = &host;
+  ASSERT_OK(bdpt_material_update(b_, contents.grey, &desc));
+  Scene scene = build(b_);
+  const bdpt_material_desc grey = grey_desc();
+  ASSERT_OK(bdpt_material_update(b_, contents.grey, &grey));
+  EXPECT_EQ(0, dropped) << "the scene has it";
+  scene.reset();
+  EXPECT_EQ(1, dropped);
+
+  ASSERT_OK(bdpt_material_update(b_, contents.grey, &desc));
+  ASSERT_OK(bdpt_material_update(b_, contents.grey, &desc));
+  EXPECT_EQ(2, dropped) << "one description, given twice, is two materials";
+  bdpt_host_material bad = make_black_host(&refused);
+  bad.sample = nullptr;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_material([&](auto& d) { d.type = BDPT_MATERIAL_HOST, d.host = &bad; }));
+  EXPECT_EQ(1, refused);
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, try_material([&](auto& d) { d.host = &bad; })) << "of another type";
+  EXPECT_EQ(2, refused);
+  desc.host = &bad;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ID, bdpt_material_update(b_, {12345}, &desc));
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_material_update(nullptr, contents.grey, &desc));
+  EXPECT_EQ(4, refused);
+  bad.struct_size = 4;
+  EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_material_update(b_, contents.grey, &desc));
+  EXPECT_EQ(4, refused) << "of a size that is no version's nothing is read";
+}
+
+TEST_F(ApiMaterialKinds, TheHashOfAHostsMaterialIsPartOfTheScenes) {
+  const Contents contents(b_);
+  int dropped = 0;
+  bdpt_host_material host = make_black_host(&dropped);
+  bdpt_material_desc desc = make<bdpt_material_desc>();
+  desc.type = BDPT_MATERIAL_HOST;
+  desc.host = &host;
+  const auto hash = [&](uint64_t of_host) {
+    host.hash = of_host;
+    EXPECT_OK(bdpt_material_update(b_, contents.grey, &desc));
+    bdpt_scene_info info = make<bdpt_scene_info>();
+    EXPECT_OK(bdpt_scene_get_info(build(b_).get(), &info));
+    return info.hash;
+  };
+  EXPECT_EQ(hash(1), hash(1));
+  EXPECT_NE(hash(1), hash(2));
+}
+
 // All it reflects, evenly; what breaks the contract is counted, and is not in the picture.
 TEST_F(ApiMaterialKinds, AHostsMaterialIsHeldToItsContract) {
   struct State {

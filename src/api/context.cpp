@@ -48,7 +48,7 @@ bdpt_context_desc check_context_desc(const bdpt_context_desc* caller) {
   if (desc.threads > kMaxThreads)
     fail(ErrorCode::InvalidArgument, "desc.threads is ", desc.threads, ": give at most ", kMaxThreads,
          ", or 0 for all cores");
-  if (desc.isa < BDPT_ISA_BEST || desc.isa > BDPT_ISA_AVX512)
+  if (desc.isa < BDPT_ISA_BEST || desc.isa > BDPT_ISA_NEON)
     fail(ErrorCode::InvalidArgument, "desc.isa is ", desc.isa, ": give one of the constants BDPT_ISA_*");
   if (desc.reserved != 0) fail(ErrorCode::InvalidArgument, "desc.reserved is ", desc.reserved, ": it must be 0");
   if (desc.executor) check_executor(desc);
@@ -77,6 +77,9 @@ bdpt_result bdpt_context_create(uint32_t abi, const bdpt_context_desc* desc, bdp
            ": use a bdpt.h and a library of one version");
     HostObjects host(desc);
     const bdpt_context_desc d = check_context_desc(desc);
+    if (const char* name = refused_code_isa())
+      fail(ErrorCode::Unsupported, "the environment variable BDPT_ISA is \"", name,
+           "\", which this machine or this library does not have: give baseline, avx2 or avx512, or unset it");
     require(context, "context");
     auto object = std::make_unique<bdpt_context>();
     object->meter = std::make_shared<MemoryMeter>(d.memory_limit);
@@ -105,6 +108,7 @@ bdpt_result bdpt_context_get_info(const bdpt_context* context, bdpt_context_info
     bdpt_context_info result{};
     result.threads = context->executor->worker_count();
     result.isa = static_cast<bdpt_isa>(context->device->isa());
+    result.code_isa = static_cast<bdpt_isa>(code_isa());
     result.embree = RayDevice::version();
     result.memory = context->meter->used();
     result.memory_peak = context->meter->peak();

@@ -17,7 +17,9 @@ bdpt_scattering_place place_of(const Material& m, const Rgb& reflectance, const 
 
 class HostFunctions final : public HostMaterial {
  public:
-  explicit HostFunctions(const bdpt_host_material& desc) : desc_(desc) {}
+  HostFunctions(const bdpt_host_material& desc, FinalCall drop) : desc_(desc), drop_(std::move(drop)) {
+    hash = desc.hash;
+  }
 
   bool evaluate(const Material& m, const Rgb& reflectance, const Vec3& previous, const Vec3& next,
                 BsdfValue& value) const override {
@@ -40,15 +42,24 @@ class HostFunctions final : public HostMaterial {
 
  private:
   bdpt_host_material desc_;
+  FinalCall drop_;
 };
 
 }  // namespace
 
-std::shared_ptr<const HostMaterial> read_host_material(const Subject& material, const bdpt_host_material& desc) {
+FinalCall host_drop(const bdpt_material_desc* material) {
+  const bdpt_host_material* host = is_readable(material) ? copy_readable(*material).host : nullptr;
+  if (!is_readable(host)) return {};
+  const bdpt_host_material h = copy_readable(*host);
+  return {h.drop, h.user};
+}
+
+std::shared_ptr<const HostMaterial> read_host_material(const Subject& material, const bdpt_host_material& desc,
+                                                       FinalCall drop) {
   material.check_flag("host->transmits", desc.transmits);
   if (!desc.evaluate) material.refuse("host->evaluate", "is NULL: give both functions");
   if (!desc.sample) material.refuse("host->sample", "is NULL: give both functions");
-  return std::make_shared<const HostFunctions>(desc);
+  return std::make_shared<const HostFunctions>(desc, std::move(drop));
 }
 
 }  // namespace bdpt

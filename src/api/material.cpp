@@ -172,7 +172,7 @@ Opacity read_opacity(const Subject& subject, const bdpt_material_desc& desc) {
   return opacity;
 }
 
-MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& desc) {
+MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& desc, FinalCall drop) {
   const Subject subject("material", desc.label);
   check_fields(subject, desc);
   check_type(subject, desc);
@@ -205,7 +205,7 @@ MaterialEntry read_material(bdpt_builder& builder, const bdpt_material_desc& des
   }
   if (desc.type == BDPT_MATERIAL_HOST) {
     const bdpt_host_material host = read_struct(desc.host, "desc.host");
-    m.host_owner = read_host_material(subject, host);
+    m.host_owner = read_host_material(subject, host, std::move(drop));
     m.host = m.host_owner.get();
     m.thin_walled = host.transmits != 0;
   }
@@ -237,20 +237,22 @@ void leave(bdpt_builder& builder, const MaterialEntry& material) { count_users(b
 bdpt_result bdpt_material_add(bdpt_builder* builder, const bdpt_material_desc* desc, bdpt_material_id* material) {
   return guard(__func__, [&] {
     reset_output(material);
+    FinalCall drop = host_drop(desc);
     bdpt_builder& b = writable(builder);
     const bdpt_material_desc d = read_struct(desc, "desc");
     require(material, "material");
-    material->id = b.materials.add(read_material(b, d));
+    material->id = b.materials.add(read_material(b, d, std::move(drop)));
     enter(b, b.materials[material->id]);
   });
 }
 
 bdpt_result bdpt_material_update(bdpt_builder* builder, bdpt_material_id material, const bdpt_material_desc* desc) {
   return guard(__func__, [&] {
+    FinalCall drop = host_drop(desc);
     bdpt_builder& b = writable(builder);
     const bdpt_material_desc d = read_struct(desc, "desc");
     MaterialEntry& entry = b.materials.at(material.id, "material");
-    MaterialEntry updated = read_material(b, d);
+    MaterialEntry updated = read_material(b, d, std::move(drop));
     if (entry.mixes > 0 || updated.parts[0] == material.id || updated.parts[1] == material.id)
       check_part(Subject("material that is part of a mix,", updated.label.c_str()), updated);
     enter(b, updated);

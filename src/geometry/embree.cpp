@@ -80,17 +80,10 @@ const char* isa_config(Isa isa) {
     case Isa::Avx512:
       return "isa=avx512";
     case Isa::Best:
+    case Isa::Neon:
       break;
   }
   return nullptr;
-}
-
-Isa best_isa() {
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
-      __builtin_cpu_supports("avx512vl"))
-    return Isa::Avx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Isa::Avx2;
-  return Isa::Sse42;
 }
 
 }  // namespace
@@ -119,10 +112,9 @@ struct RayDevice::Implementation {
 RayDevice::RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter)
     : implementation_(std::make_unique<Implementation>()) {
   auto& i = *implementation_;
-  const Isa best = best_isa();
-  if (int(isa) > int(best))
+  if (!is_available(isa))
     fail(ErrorCode::Unsupported, "isa: this machine does not have it; BDPT_ISA_BEST takes what it has");
-  i.isa = isa == Isa::Best ? best : isa;
+  i.isa = isa == Isa::Best ? best_isa() : isa;
   i.meter = std::move(meter);
   i.device = rtcNewDevice(isa_config(isa));
   if (!i.device) {

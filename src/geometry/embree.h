@@ -2,6 +2,7 @@
 // and 4 it is.
 #pragma once
 
+#include "base/isa.h"
 #include "base/memory.h"
 #include "geometry/curves.h"
 #include "geometry/mesh.h"
@@ -34,7 +35,6 @@ struct Hit {
   float time = 0;  // the ray's
 };
 
-enum class Isa { Best, Sse42, Avx2, Avx512 };
 
 // One of Embree's devices; books what Embree allocates.
 class RayDevice {

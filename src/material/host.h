@@ -13,6 +13,8 @@ class HostMaterial {
                         BsdfValue& value) const = 0;
   virtual bool sample(const Material& material, const Rgb& reflectance, const Vec3& previous, const float u[3],
                       Vec3& next) const = 0;
+
+  uint64_t hash = 0;  // of all that decides f
 };
 
 }  // namespace bdpt

@@ -1,6 +1,7 @@
 #include "scene/scene_hash.h"
 
 #include "light/photometry.h"
+#include "material/host.h"
 #include "sampling/hash.h"
 
 #include <array>
@@ -94,6 +95,7 @@ uint64_t hash_scene(const SceneDesc& desc) {
       add_lookup(o.texture, o.channel, o.uv, o.sampler);
     }
     if (m.emission_exponent != 0) add(m.emission_exponent);
+    if (m.host) h = hash_combine(h, m.host->hash);
   }
   for (const auto& medium : desc.media) {
     const float numbers[] = {medium->sigma_a.r, medium->sigma_a.g, medium->sigma_a.b, medium->sigma_s.r,

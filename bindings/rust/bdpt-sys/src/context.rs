@@ -48,6 +48,8 @@ pub const BDPT_ISA_BEST: bdpt_isa = 0;
 pub const BDPT_ISA_SSE42: bdpt_isa = 1;
 pub const BDPT_ISA_AVX2: bdpt_isa = 2;
 pub const BDPT_ISA_AVX512: bdpt_isa = 3;
+/// of 64-bit Arm
+pub const BDPT_ISA_NEON: bdpt_isa = 4;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -73,6 +75,8 @@ pub struct bdpt_context_info {
     pub embree: u32,
     pub memory: u64,
     pub memory_peak: u64,
+    pub code_isa: bdpt_isa,
+    pub reserved: u32,
 }
 sized!(bdpt_context_info);
 

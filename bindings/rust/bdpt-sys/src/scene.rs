@@ -436,6 +436,8 @@ pub struct bdpt_host_material {
             next: *mut f32,
         ) -> i32,
     >,
+    pub drop: Option<unsafe extern "C" fn(user: *mut c_void)>,
+    pub hash: u64,
 }
 sized!(bdpt_host_material);
 
