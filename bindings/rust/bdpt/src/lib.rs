@@ -6,6 +6,39 @@
 #[macro_use]
 mod set;
 
+mod color;
+mod count;
+mod custom;
+mod denoise;
+mod dilate;
+mod display;
+mod encode;
+mod exposure;
+mod exr;
+mod lightmap;
+mod points;
+mod seams;
+mod sky;
+mod uv;
+mod uv_check;
+mod vertices;
+
+pub use color::{Chromaticities, ColorInfo};
+pub use custom::{Custom, Functions, Landed, Landing, Measurement, Place, Start};
+pub use denoise::{has_denoiser, Denoise};
+pub use dilate::{Dilate, DilateReport};
+pub use display::Display;
+pub use encode::{encode_half, encode_rgbd, encode_rgbm, Coefficients, Encoded, Sh};
+pub use exposure::Exposure;
+pub use exr::Exr;
+pub use lightmap::{Lightmap, LightmapInfo, LightmapInstance, LightmapTexels};
+pub use points::{Point, Points};
+pub use seams::{AtlasImage, FixSeams, SeamsReport};
+pub use sky::Sky;
+pub use uv::UvInstance;
+pub use uv_check::{UvCheck, UvMaps, UvReport};
+pub use vertices::Vertices;
+
 mod advance;
 mod builder;
 mod camera;
