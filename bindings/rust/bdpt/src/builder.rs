@@ -110,7 +110,7 @@ impl Builder {
     /// Adds a sphere.
     pub fn add_sphere(&mut self, sphere: Sphere) -> Result<ShapeId> {
         let label = Text::new(&sphere.label)?;
-        let desc = sys::bdpt_sphere_desc { label: label.as_ptr(), ..sphere.raw };
+        let desc = sys::bdpt_sphere_desc { label: label.as_ptr(), ..*sphere.raw };
         // SAFETY: the description lives until the call returns.
         self.add(|builder, id| unsafe { sys::bdpt_sphere_add(builder, &desc, id) }).map(ShapeId)
     }
@@ -177,14 +177,14 @@ impl Builder {
     /// Adds a medium.
     pub fn add_medium(&mut self, medium: &Medium) -> Result<MediumId> {
         let label = Text::new(&medium.label)?;
-        let desc = sys::bdpt_medium_desc { label: label.as_ptr(), ..medium.raw };
+        let desc = sys::bdpt_medium_desc { label: label.as_ptr(), ..*medium.raw };
         // SAFETY: the description lives until the call returns.
         self.add(|builder, id| unsafe { sys::bdpt_medium_add(builder, &desc, id) }).map(MediumId)
     }
     /// Replaces a medium for scenes built from now on.
     pub fn update_medium(&mut self, id: MediumId, medium: &Medium) -> Result<()> {
         let label = Text::new(&medium.label)?;
-        let desc = sys::bdpt_medium_desc { label: label.as_ptr(), ..medium.raw };
+        let desc = sys::bdpt_medium_desc { label: label.as_ptr(), ..*medium.raw };
         // SAFETY: as above.
         self.change(|builder| unsafe { sys::bdpt_medium_update(builder, id.0, &desc) })
     }
@@ -229,7 +229,7 @@ impl Builder {
             textures: pointer(&textures),
             texture_count: count(textures.len()),
             host: host.as_ref().map_or(null(), |host| host),
-            ..material.raw
+            ..*material.raw
         };
         let done = add(self, &desc);
         if let (Err(_), Some((_, lent)), Some(host)) = (&done, lent, &host) {

@@ -7,6 +7,7 @@ use crate::host::pointer;
 use crate::light::count;
 use crate::output::Output;
 use crate::panics::make;
+use crate::plain::Plain;
 use crate::rect::Rect;
 use crate::sensor::Sensor;
 use crate::transform::Transform;
@@ -44,7 +45,7 @@ pub struct LensSurface {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Camera {
-    raw: sys::bdpt_camera_desc,
+    raw: Plain<sys::bdpt_camera_desc>,
     surfaces: Vec<sys::bdpt_lens_surface>,
     outputs: Vec<Output>,
 }
@@ -52,7 +53,7 @@ pub struct Camera {
 impl Camera {
     fn new(kind: sys::bdpt_camera_type, width: u32, height: u32) -> Self {
         let raw = sys::bdpt_camera_desc { type_: kind, width, height, ..Default::default() };
-        Self { raw, surfaces: Vec::new(), outputs: Vec::new() }
+        Self { raw: raw.into(), surfaces: Vec::new(), outputs: Vec::new() }
     }
     /// Straight lines stay straight: a pinhole, or with [`lens`](Self::lens) a thin lens.
     pub fn perspective(width: u32, height: u32) -> Self {
@@ -145,7 +146,7 @@ impl Camera {
             lens_surface_count: count(self.surfaces.len()),
             outputs: pointer(&outputs),
             output_count: count(outputs.len()),
-            ..self.raw
+            ..*self.raw
         };
         make(
             context.panics(),

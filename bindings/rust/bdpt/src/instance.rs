@@ -3,6 +3,7 @@
 
 use crate::error::{Result, Text};
 use crate::id::{MaterialId, ShapeId};
+use crate::plain::Plain;
 use crate::transform::Transform;
 use bdpt_sys as sys;
 
@@ -22,14 +23,14 @@ use bdpt_sys as sys;
 #[derive(Clone, Debug)]
 pub struct Instance {
     label: Option<String>,
-    raw: sys::bdpt_instance_desc,
+    raw: Plain<sys::bdpt_instance_desc>,
 }
 
 impl Instance {
     /// A shape where it is.
     pub fn new(shape: ShapeId, material: MaterialId) -> Self {
         let raw = sys::bdpt_instance_desc { shape: shape.0, material: material.0, ..Default::default() };
-        Self { label: None, raw }
+        Self { label: None, raw: raw.into() }
     }
     labelled!();
     setters! {
@@ -43,6 +44,6 @@ impl Instance {
 
     pub(crate) fn with_desc<R>(&self, call: impl FnOnce(&sys::bdpt_instance_desc) -> Result<R>) -> Result<R> {
         let label = Text::new(&self.label)?;
-        call(&sys::bdpt_instance_desc { label: label.as_ptr(), ..self.raw })
+        call(&sys::bdpt_instance_desc { label: label.as_ptr(), ..*self.raw })
     }
 }

@@ -62,6 +62,7 @@ mod medium;
 mod mesh;
 mod output;
 mod panics;
+mod plain;
 mod progress;
 mod read;
 mod rect;

@@ -4,6 +4,7 @@
 use crate::error::{Error, Result, Text};
 use crate::host::pointer;
 use crate::id::TextureId;
+use crate::plain::Plain;
 use crate::transform::Transform;
 use bdpt_sys as sys;
 use std::ptr::null;
@@ -86,13 +87,13 @@ pub struct Light {
     label: Option<String>,
     photometry: Option<Photometry>,
     portals: Vec<sys::bdpt_portal>,
-    raw: sys::bdpt_light_desc,
+    raw: Plain<sys::bdpt_light_desc>,
 }
 
 impl Light {
     fn new(kind: sys::bdpt_light_type) -> Self {
         let raw = sys::bdpt_light_desc { type_: kind, ..Default::default() };
-        Self { label: None, photometry: None, portals: Vec::new(), raw }
+        Self { label: None, photometry: None, portals: Vec::new(), raw: raw.into() }
     }
     /// A point; intensity in W/sr.
     pub fn point(position: [f32; 3], intensity: [f32; 3]) -> Self {
@@ -159,7 +160,7 @@ impl Light {
             photometry: photometry.as_ref().map_or(null(), |photometry| photometry),
             portals: pointer(&self.portals),
             portal_count: count(self.portals.len()),
-            ..self.raw
+            ..*self.raw
         })
     }
 }

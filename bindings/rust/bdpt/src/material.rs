@@ -4,6 +4,7 @@
 use crate::error::{check, Result, Text};
 use crate::host_material::{BoxedMaterial, HostMaterial};
 use crate::id::{MaterialId, MediumId, TextureId};
+use crate::plain::Plain;
 use crate::texture_use::TextureUse;
 use bdpt_sys as sys;
 use std::fmt;
@@ -54,13 +55,13 @@ pub struct Material {
     pub(crate) label: Option<String>,
     pub(crate) textures: Vec<TextureUse>,
     pub(crate) host: Option<BoxedMaterial>,
-    pub(crate) raw: sys::bdpt_material_desc,
+    pub(crate) raw: Plain<sys::bdpt_material_desc>,
 }
 
 impl Material {
     fn new(kind: sys::bdpt_material_type) -> Self {
         let raw = sys::bdpt_material_desc { type_: kind, ..Default::default() };
-        Self { label: None, textures: Vec::new(), host: None, raw }
+        Self { label: None, textures: Vec::new(), host: None, raw: raw.into() }
     }
     /// f = reflectance / pi; Oren-Nayar with a [`diffuse_roughness`](Self::diffuse_roughness).
     pub fn diffuse(reflectance: [f32; 3]) -> Self {

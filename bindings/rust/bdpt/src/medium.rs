@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! What fills space: fog, milk, coloured glass.
 
+use crate::plain::Plain;
 use bdpt_sys as sys;
 
 /// A homogeneous medium: what fills closed surfaces ([`Material::interior`](crate::Material::interior)), or the whole
@@ -18,13 +19,13 @@ use bdpt_sys as sys;
 #[derive(Clone, Debug)]
 pub struct Medium {
     pub(crate) label: Option<String>,
-    pub(crate) raw: sys::bdpt_medium_desc,
+    pub(crate) raw: Plain<sys::bdpt_medium_desc>,
 }
 
 impl Medium {
     /// Coefficients of absorption and of scattering, in [0,1e9], by 1 / world unit: light falls by exp(-sigma_a d).
     pub fn new(sigma_a: [f32; 3], sigma_s: [f32; 3]) -> Self {
-        Self { label: None, raw: sys::bdpt_medium_desc { sigma_a, sigma_s, ..Default::default() } }
+        Self { label: None, raw: sys::bdpt_medium_desc { sigma_a, sigma_s, ..Default::default() }.into() }
     }
     labelled!();
     setters! {

@@ -153,7 +153,7 @@ impl Mesh {
             label: label.as_ptr(),
             positions: self.positions.lend_with_slack(panics),
             indices: match self.indices {
-                Indices::U16(indices) => indices.lend_with_slack(panics),
+                Indices::U16(indices) => indices.lend(panics),
                 Indices::U32(indices) => indices.lend_with_slack(panics),
             },
             normals: self.normals.lend(panics),

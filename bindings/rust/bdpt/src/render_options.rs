@@ -2,6 +2,7 @@
 //! How paths are sampled, connected and weighed.
 
 use crate::error::{owned, Result, Text};
+use crate::plain::Plain;
 use bdpt_sys as sys;
 use std::ffi::CStr;
 
@@ -188,7 +189,7 @@ impl Techniques {
 pub struct RenderOptions {
     plan: Option<String>,
     techniques: Option<Techniques>,
-    raw: sys::bdpt_render_desc,
+    raw: Plain<sys::bdpt_render_desc>,
 }
 
 impl RenderOptions {
@@ -271,7 +272,7 @@ impl RenderOptions {
             Some(techniques) => techniques.0,
             None => [0; 32],
         };
-        call(&sys::bdpt_render_desc { plan: plan.as_ptr(), techniques, ..self.raw })
+        call(&sys::bdpt_render_desc { plan: plan.as_ptr(), techniques, ..*self.raw })
     }
 }
 

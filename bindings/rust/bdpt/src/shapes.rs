@@ -4,6 +4,7 @@
 use crate::data::Data;
 use crate::host::slice;
 use crate::panics::catch_here;
+use crate::plain::Plain;
 use bdpt_sys as sys;
 use std::fmt;
 use std::os::raw::c_void;
@@ -19,13 +20,13 @@ use std::os::raw::c_void;
 #[derive(Clone, Debug)]
 pub struct Sphere {
     pub(crate) label: Option<String>,
-    pub(crate) raw: sys::bdpt_sphere_desc,
+    pub(crate) raw: Plain<sys::bdpt_sphere_desc>,
 }
 
 impl Sphere {
     /// A sphere round `center`, in the object's own frame. The radius is above 0.
     pub fn new(center: [f32; 3], radius: f32) -> Self {
-        Self { label: None, raw: sys::bdpt_sphere_desc { center, radius, ..Default::default() } }
+        Self { label: None, raw: sys::bdpt_sphere_desc { center, radius, ..Default::default() }.into() }
     }
     labelled!();
 }

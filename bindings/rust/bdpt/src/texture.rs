@@ -4,6 +4,7 @@
 use crate::error::{Error, Result, Text};
 use crate::host::{host, pointer, slice, slice_mut};
 use crate::id::InstanceId;
+use crate::plain::Plain;
 use bdpt_sys as sys;
 use std::fmt;
 use std::mem::size_of;
@@ -52,7 +53,7 @@ pub struct Texture<'a> {
     texel_size: usize,
     row_stride: usize,
     color_space: Option<String>,
-    raw: sys::bdpt_texture_desc,
+    raw: Plain<sys::bdpt_texture_desc>,
 }
 
 impl<'a> Texture<'a> {
@@ -84,7 +85,8 @@ impl<'a> Texture<'a> {
             texel_size: size_of::<T>(),
             row_stride: 0,
             color_space: None,
-            raw: sys::bdpt_texture_desc { width, height, channels, texel: T::TEXEL, encoding, ..Default::default() },
+            raw: sys::bdpt_texture_desc { width, height, channels, texel: T::TEXEL, encoding, ..Default::default() }
+                .into(),
         }
     }
     labelled!();
@@ -100,7 +102,7 @@ impl<'a> Texture<'a> {
 
     /// Checks that there are as many texels as the description says, and makes the call.
     pub(crate) fn with_desc<R>(&self, call: impl FnOnce(&sys::bdpt_texture_desc) -> Result<R>) -> Result<R> {
-        let sys::bdpt_texture_desc { width, height, channels, .. } = self.raw;
+        let sys::bdpt_texture_desc { width, height, channels, .. } = *self.raw;
         let packed = u128::from(width) * u128::from(channels);
         let stride = if self.row_stride == 0 { packed } else { self.row_stride as u128 };
         let needed = if height == 0 { 0 } else { u128::from(height - 1) * stride + packed };
@@ -116,14 +118,14 @@ impl<'a> Texture<'a> {
             pixels: pointer(self.pixels).cast(),
             row_stride: (self.row_stride as u64).saturating_mul(self.texel_size as u64),
             color_space: color_space.as_ptr(),
-            ..self.raw
+            ..*self.raw
         })
     }
 }
 
 impl fmt::Debug for Texture<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sys::bdpt_texture_desc { width, height, channels, .. } = self.raw;
+        let sys::bdpt_texture_desc { width, height, channels, .. } = *self.raw;
         f.debug_struct("Texture")
             .field("label", &self.label)
             .field("size", &[width, height, channels])
