@@ -24,7 +24,7 @@ fn main() -> Result<()> {
     ] {
         builder.add_instance(&Instance::new(shape, material).transform(Transform::from_columns(x, y, z, at)))?;
     }
-    let camera = Camera::perspective(400, 400).field_of_view(38.0).transform(Transform::translate([0.0, 1.0, 3.9]));
+    let camera = Camera::perspective(256, 256).field_of_view(38.0).transform(Transform::translate([0.0, 1.0, 3.9]));
     let sensor = camera.create(&context)?;
     let film = Film::new(&sensor, &FilmOptions::default())?;
     let mut render = Render::new(&builder.build()?, &sensor, film, &RenderOptions::new())?;
