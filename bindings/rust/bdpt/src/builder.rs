@@ -215,9 +215,10 @@ impl Builder {
     ) -> Result<R> {
         let label = material.label_text()?;
         let textures: Vec<_> = material.textures.iter().map(|texture| texture.raw).collect();
-        let lent = material.host.map(|host| (host.transmits(), Host::lend(host, &self.panics)));
-        let host = lent.as_ref().map(|(transmits, lent)| sys::bdpt_host_material {
+        let lent = material.host.map(|host| (host.transmits(), host.hash(), Host::lend(host, &self.panics)));
+        let host = lent.as_ref().map(|(transmits, hash, lent)| sys::bdpt_host_material {
             transmits: (*transmits).into(),
+            hash: *hash,
             user: lent.user(),
             evaluate: Some(host_material::evaluate),
             sample: Some(host_material::sample),
@@ -232,7 +233,7 @@ impl Builder {
             ..*material.raw
         };
         let done = add(self, &desc);
-        if let (Err(_), Some((_, lent)), Some(host)) = (&done, lent, &host) {
+        if let (Err(_), Some((.., lent)), Some(host)) = (&done, lent, &host) {
             // SAFETY: the call has failed.
             unsafe { lent.call_failed(host.user) };
         }

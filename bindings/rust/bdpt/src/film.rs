@@ -111,6 +111,12 @@ impl Film {
         self.read_into(&options, image.as_floats_mut())?;
         Ok(image)
     }
+    /// Reads a layer into an array of rows, columns and 3 colours.
+    #[cfg(feature = "ndarray")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "ndarray")))]
+    pub fn read_ndarray(&self, options: impl Into<ReadOptions>) -> Result<ndarray::Array3<f32>> {
+        self.read(options)?.into_ndarray()
+    }
     /// Reads a layer into a slice, 3 floats to a pixel.
     ///
     /// # Errors

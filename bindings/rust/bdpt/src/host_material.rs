@@ -54,6 +54,9 @@ pub struct Scattering {
 ///         let z = (1.0 - u[0]).sqrt().copysign(place.previous[2]);
 ///         Some([r * phi.cos(), r * phi.sin(), z])
 ///     }
+///     fn hash(&self) -> u64 {
+///         1
+///     }
 /// }
 /// # fn main() -> bdpt::Result<()> {
 /// let mut builder = bdpt::Builder::new(&bdpt::Context::new()?)?;
@@ -65,6 +68,8 @@ pub trait HostMaterial: Send + Sync {
     fn evaluate(&self, place: &ScatteringPlace, next: [f32; 3]) -> Scattering;
     /// The next direction, by three numbers uniform in [0,1); `None` if the light is absorbed.
     fn sample(&self, place: &ScatteringPlace, u: [f32; 3]) -> Option<[f32; 3]>;
+    /// Of all that decides the scattering: films of other scenes do not merge. Asked once.
+    fn hash(&self) -> u64;
     /// Whether light may go through: if not, both directions are on one side. Asked once.
     fn transmits(&self) -> bool {
         false

@@ -82,6 +82,24 @@ impl Image {
         }
         self.pixels.get(y as usize * self.width as usize + x as usize).copied()
     }
+    /// The picture as an array of rows, columns and 3 colours. Nothing is copied.
+    ///
+    /// ```
+    /// # fn main() -> bdpt::Result<()> {
+    /// let array = bdpt::Image::new(4, 2)?.into_ndarray()?;
+    /// assert_eq!(array.shape(), [2, 4, 3]);
+    /// # Ok(()) }
+    /// ```
+    #[cfg(feature = "ndarray")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "ndarray")))]
+    pub fn into_ndarray(self) -> Result<ndarray::Array3<f32>> {
+        let shape = (self.height as usize, self.width as usize, 3);
+        let mut pixels = std::mem::ManuallyDrop::new(self.pixels);
+        let (data, len, capacity) = (pixels.as_mut_ptr(), pixels.len(), pixels.capacity());
+        // SAFETY: the vector's memory, which it gives up; three floats have the layout of an array of three.
+        let floats = unsafe { Vec::from_raw_parts(data.cast::<f32>(), len * 3, capacity * 3) };
+        ndarray::Array3::from_shape_vec(shape, floats).map_err(|error| Error::refused(error.to_string()))
+    }
     /// The rows, from the top.
     pub fn rows(&self) -> impl DoubleEndedIterator<Item = &[[f32; 3]]> + ExactSizeIterator {
         self.pixels.chunks_exact((self.width as usize).max(1))

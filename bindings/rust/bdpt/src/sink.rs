@@ -24,6 +24,18 @@ pub trait Sink {
     }
 }
 
+impl<S: Sink + ?Sized> Sink for &mut S {
+    fn begin(&mut self, width: u32, height: u32, passes: u64) -> ControlFlow<()> {
+        (**self).begin(width, height, passes)
+    }
+    fn tile(&mut self, tile: Tile<'_>) -> ControlFlow<()> {
+        (**self).tile(tile)
+    }
+    fn end(&mut self, complete: bool) {
+        (**self).end(complete);
+    }
+}
+
 /// A tile of an image. It is valid during its callback:
 ///
 /// ```compile_fail,E0521

@@ -21,6 +21,10 @@ impl Transform {
     pub const fn from_rows(rows: [f32; 12]) -> Self {
         Self(rows)
     }
+    /// From where the axes point to, and where the origin comes to be.
+    pub const fn from_columns(x: [f32; 3], y: [f32; 3], z: [f32; 3], at: [f32; 3]) -> Self {
+        Self([x[0], y[0], z[0], at[0], x[1], y[1], z[1], at[1], x[2], y[2], z[2], at[2]])
+    }
     /// Three rows, each of three factors and an offset.
     pub const fn rows(&self) -> [f32; 12] {
         self.0

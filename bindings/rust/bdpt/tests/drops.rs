@@ -267,7 +267,7 @@ fn arrays_of_a_mesh_that_is_refused_go_at_once() {
 
 #[test]
 fn shared_arrays_are_shared() {
-    let positions: Arc<[[f32; 3]]> = CORNERS.iter().chain(&CORNERS).copied().collect();
+    let positions: Arc<[[f32; 3]]> = CORNERS.into_iter().chain(CORNERS).collect();
     let indices: Arc<[[u32; 3]]> = TRIANGLES.iter().chain(&TRIANGLES).chain(&TRIANGLES).copied().collect();
     let mut builder = Builder::new(&threads(1)).unwrap();
     let mesh = |last: u32| {

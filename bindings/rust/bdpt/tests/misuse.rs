@@ -225,7 +225,7 @@ fn wild_numbers_are_refused_or_taken() {
         let _ = builder.add_mesh(square().tangents(vec![[x; 4]; 4]).lightmap_uv(vec![[x; 2]; 4]));
         let _ = builder.add_curves(Curves::new(CurveBasis::Bezier, vec![color; 4], vec![x]));
         let _ = builder.add_curves(Curves::new(CurveBasis::BSpline, CORNERS.to_vec(), vec![x; 4]));
-        let surface = || Subdivision::new(&CORNERS, vec![0, 1, 2, 3]).level(2);
+        let surface = || Subdivision::new(CORNERS, vec![0, 1, 2, 3]).level(2);
         let _ = builder.add_subdivision(surface().creases(&[([0, 1], x)]).corners(&[(2, x)]));
         let _ = builder.add_subdivision(surface().displace(|_| color));
         let _ = builder.add_medium(&Medium::new(color, color).mean_cosine(x));
@@ -296,13 +296,13 @@ fn wild_counts_are_refused() {
     let context = threads(1);
     let mut builder = Builder::new(&context).unwrap();
     for n in [0, 1, 64, 65, 4096, 65537, u32::MAX - 1, u32::MAX] {
-        let _ = builder.add_subdivision(Subdivision::new(&CORNERS, vec![0, 1, 2, n]).level(n.min(100)));
-        let _ = builder.add_subdivision(Subdivision::new(&CORNERS, vec![0, 1, 2, 3]).face_counts(vec![n]));
-        let _ = builder.add_subdivision(Subdivision::new(&CORNERS, vec![0, 1, 2, 3]).corners(&[(n, 1.0)]));
+        let _ = builder.add_subdivision(Subdivision::new(CORNERS, vec![0, 1, 2, n]).level(n.min(100)));
+        let _ = builder.add_subdivision(Subdivision::new(CORNERS, vec![0, 1, 2, 3]).face_counts(vec![n]));
+        let _ = builder.add_subdivision(Subdivision::new(CORNERS, vec![0, 1, 2, 3]).corners(&[(n, 1.0)]));
         let _ = builder
-            .add_subdivision(Subdivision::new(&CORNERS, vec![0, 1, 2, 3]).uv(vec![[0.0; 2]; 2]).uv_indices(vec![n; 4]));
-        let _ = builder.add_curves(Curves::new(CurveBasis::Linear, &CORNERS, vec![0.1]).counts(vec![n, n]));
-        let _ = builder.add_mesh(Mesh::new(&CORNERS).indices(vec![[0, 1, n]]));
+            .add_subdivision(Subdivision::new(CORNERS, vec![0, 1, 2, 3]).uv(vec![[0.0; 2]; 2]).uv_indices(vec![n; 4]));
+        let _ = builder.add_curves(Curves::new(CurveBasis::Linear, CORNERS, vec![0.1]).counts(vec![n, n]));
+        let _ = builder.add_mesh(Mesh::new(CORNERS).indices(vec![[0, 1, n]]));
         for (width, height, channels) in [(n, 1, 1), (1, n, 1), (1, 1, n), (n, n, n)] {
             let pixels = [0.5_f32; 8];
             let _ = builder.add_texture(Texture::linear(width, height, channels, &pixels).mip_levels(n));
@@ -356,8 +356,8 @@ fn enumerations_of_the_future_are_refused() {
     let sensor = camera().create(&context).unwrap();
     for n in [-100, -1, 77, i32::MIN, i32::MAX] {
         assert!(ContextOptions::default().isa(Isa::Other(n)).create().is_err());
-        assert!(builder.add_curves(Curves::new(CurveBasis::Other(n), &CORNERS, vec![0.1])).is_err());
-        let surface = Subdivision::new(&CORNERS, vec![0, 1, 2, 3]).boundary(Boundary::Other(n));
+        assert!(builder.add_curves(Curves::new(CurveBasis::Other(n), CORNERS, vec![0.1])).is_err());
+        let surface = Subdivision::new(CORNERS, vec![0, 1, 2, 3]).boundary(Boundary::Other(n));
         assert!(builder.add_subdivision(surface).is_err());
         let uses = [
             TextureUse::new(Slot::Other(n), pixel),

@@ -35,7 +35,7 @@ fn in_the_progress_of_a_build() {
 fn in_a_displacement() {
     quiet();
     let mut builder = Builder::new(&threads(1)).unwrap();
-    let surface = || Subdivision::new(&CORNERS, vec![0, 1, 2, 3]).level(2);
+    let surface = || Subdivision::new(CORNERS, vec![0, 1, 2, 3]).level(2);
     let mut places = 0;
     let panics = |place: &SurfacePlace| {
         places += 1;
@@ -219,6 +219,9 @@ impl HostMaterial for FuseMaterial {
         }
         self.1.sample(place, u)
     }
+    fn hash(&self) -> u64 {
+        1
+    }
 }
 
 #[test]
@@ -255,7 +258,7 @@ fn in_a_log() {
     let context = ContextOptions::default().threads(1).log(log).create().unwrap();
     let mut builder = Builder::new(&context).unwrap();
     // The log tells of triangles without area, and of scenes without light.
-    let flat = || Mesh::new(&CORNERS).indices(vec![[0_u32, 1, 2], [0, 0, 1]]);
+    let flat = || Mesh::new(CORNERS).indices(vec![[0_u32, 1, 2], [0, 0, 1]]);
     assert_eq!(panic_of(|| builder.add_mesh(flat())), 50);
     fuse.store(false, Ordering::SeqCst);
     let shape = builder.add_mesh(flat()).unwrap();

@@ -6,6 +6,7 @@ use static_table::*;
 
 /// Whether a type is Send, and whether it is Sync, as constants: an inherent constant hides that of a trait, where its
 /// bound holds.
+#[allow(dead_code)]
 mod static_table {
     use std::marker::PhantomData;
     pub struct Send_<T: ?Sized>(PhantomData<T>);

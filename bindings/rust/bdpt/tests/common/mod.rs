@@ -72,13 +72,16 @@ impl HostMaterial for Chalk {
         let (r, phi) = (u[0].sqrt(), 2.0 * std::f32::consts::PI * u[1]);
         Some([r * phi.cos(), r * phi.sin(), (1.0 - u[0]).sqrt().copysign(place.previous[2])])
     }
+    fn hash(&self) -> u64 {
+        1
+    }
 }
 
 pub const CORNERS: [[f32; 3]; 4] = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];
 pub const TRIANGLES: [[u32; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 
 pub fn square() -> Mesh {
-    Mesh::new(&CORNERS).indices(TRIANGLES.to_vec())
+    Mesh::new(CORNERS).indices(TRIANGLES.to_vec())
 }
 
 /// A floor of a material of the caller's, a ball, and a lamp above.
