@@ -19,6 +19,11 @@ use std::path::PathBuf;
 #[doc = include_str!("../../../../docs/rust.md")]
 pub struct Guide;
 
+/// As above.
+#[cfg(doctest)]
+#[doc = include_str!("../../bdpt/README.md")]
+pub struct Readme;
+
 /// The folder of the declarations.
 pub fn declarations() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../bdpt-sys/src"))
