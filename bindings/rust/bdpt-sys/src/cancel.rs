@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Cancel token and progress
 
 use crate::*;
@@ -19,8 +21,7 @@ sized!(bdpt_progress);
 
 /// Called about ten times a second on the calling thread, once at the beginning, and once at the end of a call that
 /// finishes.
-pub type bdpt_progress_fn =
-    Option<unsafe extern "C" fn(user: *mut c_void, progress: *const bdpt_progress) -> i32>;
+pub type bdpt_progress_fn = Option<unsafe extern "C" fn(user: *mut c_void, progress: *const bdpt_progress) -> i32>;
 
 extern "C" {
     /// Creates a token that stops the calls it is passed to.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Colour
 
 use crate::*;
@@ -27,10 +29,7 @@ sized!(bdpt_color_info);
 
 extern "C" {
     /// Tells what the numbers of the rendering space mean.
-    pub fn bdpt_color_get_info(
-        context: *const bdpt_context,
-        info: *mut bdpt_color_info,
-    ) -> bdpt_result;
+    pub fn bdpt_color_get_info(context: *const bdpt_context, info: *mut bdpt_color_info) -> bdpt_result;
 
     /// Converts count colours of 3 floats, packed, in place.
     pub fn bdpt_color_convert(
@@ -41,7 +40,7 @@ extern "C" {
         count: u64,
     ) -> bdpt_result;
 
-    /// The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec.
+    /// The same for linear RGB of any primaries, such as an OpenEXR file names; NULL = Rec. 709.
     pub fn bdpt_color_convert_chromaticities(
         from: *const bdpt_chromaticities,
         to: *const bdpt_chromaticities,

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Context: threads, memory limit, log
 
 use crate::*;
@@ -34,8 +36,7 @@ pub const BDPT_LOG_WARNING: bdpt_log_level = 1;
 pub struct bdpt_log {
     pub struct_size: u32,
     pub reserved: u32,
-    pub write:
-        Option<unsafe extern "C" fn(user: *mut c_void, level: bdpt_log_level, text: *const c_char)>,
+    pub write: Option<unsafe extern "C" fn(user: *mut c_void, level: bdpt_log_level, text: *const c_char)>,
     pub user: *mut c_void,
     pub drop: Option<unsafe extern "C" fn(user: *mut c_void)>,
 }
@@ -95,8 +96,5 @@ extern "C" {
     pub fn bdpt_context_release(context: *mut bdpt_context);
 
     /// Tells what the context is made of and what it uses.
-    pub fn bdpt_context_get_info(
-        context: *const bdpt_context,
-        info: *mut bdpt_context_info,
-    ) -> bdpt_result;
+    pub fn bdpt_context_get_info(context: *const bdpt_context, info: *mut bdpt_context_info) -> bdpt_result;
 }

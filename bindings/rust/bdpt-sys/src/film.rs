@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Film: the measurements
 
 use crate::*;
@@ -205,9 +207,5 @@ extern "C" {
     pub fn bdpt_film_save(film: *const bdpt_film, path: *const c_char) -> bdpt_result;
 
     /// Reads a film that bdpt_film_save wrote.
-    pub fn bdpt_film_load(
-        context: *mut bdpt_context,
-        path: *const c_char,
-        film: *mut *mut bdpt_film,
-    ) -> bdpt_result;
+    pub fn bdpt_film_load(context: *mut bdpt_context, path: *const c_char, film: *mut *mut bdpt_film) -> bdpt_result;
 }

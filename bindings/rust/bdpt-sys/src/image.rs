@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Images: display transform and files. These need no context.
 
 use crate::*;
@@ -84,12 +86,8 @@ sized!(bdpt_exr_desc);
 
 extern "C" {
     /// Turns linear pixels (3 floats each, packed) into display values in \[0,1\], in place, by OpenColorIO.
-    pub fn bdpt_image_display(
-        desc: *const bdpt_display_desc,
-        pixels: *mut f32,
-        width: u32,
-        height: u32,
-    ) -> bdpt_result;
+    pub fn bdpt_image_display(desc: *const bdpt_display_desc, pixels: *mut f32, width: u32, height: u32)
+        -> bdpt_result;
 
     /// The exposure for bdpt_display_desc.exposure, in stops: for pictures whose numbers are luminances in candela per
     /// square metre (lights in lux, candela or nit).
@@ -106,10 +104,5 @@ extern "C" {
     pub fn bdpt_image_write_exr(path: *const c_char, desc: *const bdpt_exr_desc) -> bdpt_result;
 
     /// Writes display values as an 8-bit PNG, in the same safe way.
-    pub fn bdpt_image_write_png(
-        path: *const c_char,
-        pixels: *const f32,
-        width: u32,
-        height: u32,
-    ) -> bdpt_result;
+    pub fn bdpt_image_write_png(path: *const c_char, pixels: *const f32, width: u32, height: u32) -> bdpt_result;
 }

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Lightmaps: work on buffers. These need no context.
 
 use crate::*;

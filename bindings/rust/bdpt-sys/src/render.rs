@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Render
 
 use crate::*;
@@ -165,19 +167,9 @@ sized!(bdpt_render_desc);
 pub struct bdpt_output_sink {
     pub struct_size: u32,
     pub every: u32,
-    pub begin: Option<
-        unsafe extern "C" fn(user: *mut c_void, width: u32, height: u32, passes: u64) -> i32,
-    >,
-    pub tile: Option<
-        unsafe extern "C" fn(
-            user: *mut c_void,
-            x0: u32,
-            y0: u32,
-            x1: u32,
-            y1: u32,
-            pixels: *const f32,
-        ) -> i32,
-    >,
+    pub begin: Option<unsafe extern "C" fn(user: *mut c_void, width: u32, height: u32, passes: u64) -> i32>,
+    pub tile:
+        Option<unsafe extern "C" fn(user: *mut c_void, x0: u32, y0: u32, x1: u32, y1: u32, pixels: *const f32) -> i32>,
     pub end: Option<unsafe extern "C" fn(user: *mut c_void, result: bdpt_result)>,
     pub user: *mut c_void,
 }
@@ -266,9 +258,10 @@ sized!(bdpt_technique_stats);
 
 extern "C" {
     /// Connection plans say which light vertices meet which eye vertices, s >= 2 and t >= 2; all plans measure the
-    /// same.
+    /// same. The name of plan number `index`; NULL past the last.
     pub fn bdpt_plan_name(index: u32) -> *const c_char;
 
+    /// A line about plan number `index`; NULL past the last.
     pub fn bdpt_plan_summary(index: u32) -> *const c_char;
 
     /// Joins a scene, a sensor and a film.
@@ -291,10 +284,7 @@ extern "C" {
     ) -> bdpt_result;
 
     /// Tells what a render has done so far.
-    pub fn bdpt_render_get_stats(
-        render: *const bdpt_render,
-        stats: *mut bdpt_render_stats,
-    ) -> bdpt_result;
+    pub fn bdpt_render_get_stats(render: *const bdpt_render, stats: *mut bdpt_render_stats) -> bdpt_result;
 
     /// Tells what technique (s,t) has done so far; 31 stands for 31 and more.
     pub fn bdpt_render_get_technique_stats(

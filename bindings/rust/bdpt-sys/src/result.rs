@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+
 //! Version, results, errors
 
-use crate::*;
 use std::os::raw::c_char;
+
+/// The ABI that is declared here; pass it to [`bdpt_context_create`](crate::bdpt_context_create).
 pub const BDPT_ABI: u32 = 1;
 
 pub type bdpt_result = i32;
