@@ -108,7 +108,7 @@ impl Mesh {
         self.uv[1] = uv.into();
         self
     }
-    /// A colour for each vertex, in [0,1], linear: multiplies the reflectance of the instance's material, and the fourth
+    /// A colour for each vertex, in \[0,1\], linear: multiplies the reflectance of the instance's material, and the fourth
     /// number its opacity.
     pub fn colors(mut self, colors: impl Into<Colors>) -> Self {
         self.colors = colors.into();

@@ -218,7 +218,7 @@ impl RenderOptions {
         heuristic: Heuristic => heuristic;
         /// The power heuristic's exponent, up to 64; 0 = 2.
         beta: f32 => beta;
-        /// The cutoff heuristic's threshold, in [0,1].
+        /// The cutoff heuristic's threshold, in \[0,1\].
         cutoff: f32 => cutoff;
         /// Where random numbers come from.
         sampler: Sampler => sampler;

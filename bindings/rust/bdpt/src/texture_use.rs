@@ -108,7 +108,7 @@ impl TextureUse {
         transform: [f32; 6] => transform;
         /// How it is interpolated.
         lookup: Lookup => lookup;
-        /// Mip level, in [0,16]; between two levels both are mixed.
+        /// Mip level, in \[0,16\]; between two levels both are mixed.
         level: f32 => level;
         /// Of normal and bump maps; 0 = 1.
         scale: f32 => scale;
