@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! A preview in the terminal: each tile goes into a picture as it comes, and each whole image is drawn over the one
-//! before, two pixels to a character. Where stdout is no terminal it is drawn once, at the end. The first argument is the
-//! number of passes.
+//! before, two pixels to a character. Where stdout is no terminal it is drawn once, at the end. The first argument is
+//! the number of passes.
 
 use bdpt::*;
 use std::fmt::Write as _;

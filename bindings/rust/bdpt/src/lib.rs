@@ -33,10 +33,11 @@
 //! ```
 //!
 //! # Conventions
-//! Lengths are the scene's own unit. Radiance is in W/(m² sr), intensity in W/sr, with m that unit; angles are in degrees.
-//! Colours are linear RGB in the context's rendering space. Row 0 of an image is the top row. A path of k edges is made of
-//! a light subpath of s vertices and an eye subpath of t vertices: (s,t) is the technique that made it, after Veach
-//! (1997). Zero, where nothing else is said, is the default of a number. The header `bdpt.h` is the manual of all numbers.
+//! Lengths are the scene's own unit. Radiance is in W/(m² sr), intensity in W/sr, with m that unit; angles are in
+//! degrees. Colours are linear RGB in the context's rendering space. Row 0 of an image is the top row. A path of k
+//! edges is made of a light subpath of s vertices and an eye subpath of t vertices: (s,t) is the technique that made
+//! it, after Veach (1997). Zero, where nothing else is said, is the default of a number. The header `bdpt.h` is the
+//! manual of all numbers.
 //!
 //! # Objects
 //! | | `Send` | `Sync` | `Clone` |
@@ -45,21 +46,21 @@
 //! | [`Builder`], [`Film`], [`Render`] | yes | no | no |
 //! | descriptions without closures | yes | yes | mostly |
 //!
-//! An object keeps alive what it needs, so that all may be dropped in any order. Shapes, textures, materials, lights and
-//! instances are ids of one builder; one that was removed stays invalid.
+//! An object keeps alive what it needs, so that all may be dropped in any order. Shapes, textures, materials, lights
+//! and instances are ids of one builder; one that was removed stays invalid.
 //!
 //! # Callbacks and panics
 //! Closures passed to a call run during this call, on the calling thread, one at a time. Logs, executors, and textures,
-//! materials and measurements of the host's run on any thread; that is why they are `Send + Sync`. A panic in any of them
-//! never unwinds through the library: it stops the call, and goes on in the caller with its payload when the call has
-//! returned; the objects can be used after it. Everything captured is dropped once.
+//! materials and measurements of the host's run on any thread; that is why they are `Send + Sync`. A panic in any of
+//! them never unwinds through the library: it stops the call, and goes on in the caller with its payload when the call
+//! has returned; the objects can be used after it. Everything captured is dropped once.
 //!
 //! A panic on a thread of the library's own goes on in the call that this thread works for; where two calls work on one
 //! scene at the same time, in one of them. The other then fails with [`ErrorCode::CallbackFailed`].
 //!
 //! # Determinism
-//! The same library, instruction set, scene, options, seed and passes give the same film, bit for bit, whatever the number
-//! of threads, the executor, interruptions, or the ranges that were merged.
+//! The same library, instruction set, scene, options, seed and passes give the same film, bit for bit, whatever the
+//! number of threads, the executor, interruptions, or the ranges that were merged.
 //!
 //! # Features
 //! `ndarray`: films and images as arrays.

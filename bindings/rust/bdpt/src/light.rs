@@ -28,8 +28,8 @@ pub struct Photometry {
 
 impl Photometry {
     /// Vertical angles are from the light's direction, ascending, in \[0,180\] degrees. Horizontal angles go round it,
-    /// ascending: 0 alone, or from 0 to 90, 180 or 360 degrees. Intensities: all vertical angles of the first horizontal
-    /// one, then of the next.
+    /// ascending: 0 alone, or from 0 to 90, 180 or 360 degrees. Intensities: all vertical angles of the first
+    /// horizontal one, then of the next.
     ///
     /// # Errors
     /// When there is not an intensity for each pair of angles.

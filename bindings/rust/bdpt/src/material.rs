@@ -81,8 +81,8 @@ impl Material {
     pub fn metal(metal: Metal) -> Result<Self> {
         metal.index().map(|(eta, k)| Self::conductor(eta, k))
     }
-    /// Fresnel reflection and refraction; smooth, or GGX with a [`roughness`](Self::roughness). The index is that inside
-    /// over that outside.
+    /// Fresnel reflection and refraction; smooth, or GGX with a [`roughness`](Self::roughness). The index is that
+    /// inside over that outside.
     pub fn dielectric(ior: f32) -> Self {
         Self::new(sys::BDPT_MATERIAL_DIELECTRIC).ior(ior)
     }
@@ -158,8 +158,8 @@ impl Material {
         self.raw.specular = if weight == 0.0 { -1.0 } else { weight };
         self
     }
-    /// A thin film on the principled base: its weight, its index (0 = 1.3), its thickness in nanometres (0 = 400), and that
-    /// where its texture is 0.
+    /// A thin film on the principled base: its weight, its index (0 = 1.3), its thickness in nanometres (0 = 400), and
+    /// that where its texture is 0.
     pub fn iridescence(mut self, weight: f32, ior: f32, thickness: f32, thickness_minimum: f32) -> Self {
         self.raw.iridescence = weight;
         self.raw.iridescence_ior = ior;

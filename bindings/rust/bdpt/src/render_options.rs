@@ -173,7 +173,8 @@ impl Techniques {
     }
 }
 
-/// How paths are sampled, connected and weighed. `bdpt.h` defines each number and its range; zero is the default of each.
+/// How paths are sampled, connected and weighed. `bdpt.h` defines each number and its range; zero is the default of
+/// each.
 ///
 /// ```
 /// use bdpt::{Heuristic, LightSelection, RenderOptions};

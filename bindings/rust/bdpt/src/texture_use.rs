@@ -5,8 +5,8 @@ use crate::id::TextureId;
 use bdpt_sys as sys;
 
 enumeration!(
-    /// What of a [`Material`](crate::Material) a texture varies. Colours are multiplied by the texture's, numbers by one
-    /// of its channels; what is 0 is refused.
+    /// What of a [`Material`](crate::Material) a texture varies. Colours are multiplied by the texture's, numbers by
+    /// one of its channels; what is 0 is refused.
     Slot: bdpt_slot {
         /// Colour.
         Reflectance = BDPT_SLOT_REFLECTANCE,
