@@ -1,23 +1,28 @@
+// clang-format off
 /* bdpt.hpp: the library for C++17 and later. Handles that release themselves, exceptions, callables; nothing else.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
  * bdpt.h is the manual: descriptions, ids and constants are those of C, and a function here does what the function of C
- * that it names does. What this header adds:
- *   Handles     Context, Scene, Sensor, Film and Cancel are copied by counting references; Builder and Render only
- * move. A handle that was moved from, or made from nullptr, is empty; calls on it throw INVALID_ARGUMENT. Errors      A
- * call that fails throws bdpt::Error: code() and what(). A cancelled advance is no error; what would have made an
- * object and was cancelled throws, with the code BDPT_CANCELLED. struct_size Functions here set it in the description
- * that they are given. In structs that a description points to, you do: make<bdpt_output_desc>() is zero but for its
- * size. What comes back is filled in. Callables   return nothing, or an int32_t of which zero goes on. One that throws
- * stops the call, and the exception leaves the call on the calling thread, when C has returned. Those of a single call
- * may be anything; those that the library keeps (executors, logs, textures, materials, measurements) are owned and
- * destroyed once, and are called as const, because several threads call them. Two calls of one context that fail at the
- * same time, by what is kept, may swap their exceptions. What a log throws is lost: it belongs to no call.
+ * does that has its name. What takes no handle is called as it is: bdpt::check(bdpt_image_write_png(...)). Added are
+ *
+ * Handles      Context, Scene, Sensor, Film and Cancel are copied by counting references; Builder and Render only move.
+ *              A handle that was moved from, or made from nullptr, is empty; calls on it throw INVALID_ARGUMENT.
+ * Errors       A call that fails throws bdpt::Error: code() and what(). A cancelled advance is no error; what would
+ *              have made an object and was cancelled throws, with the code BDPT_CANCELLED.
+ * struct_size  Functions here set it in the description that they are given. In structs that a description points to,
+ *              you do: make<bdpt_output_desc>() is zero but for its size. Of what comes back it is set.
+ * Callables    return nothing, or an int32_t of which zero goes on. One that throws stops the call, and the exception
+ *              leaves the call on the calling thread, when C has returned. Those of a single call may be anything;
+ *              those that the library keeps (executors, logs, textures, materials, measurements) are owned, destroyed
+ *              once, and called as const, because several threads call them. Two calls of one context that fail at the
+ *              same time, by what is kept, may swap their exceptions. What logs and materials throw is lost: it stops
+ *              no call.
  *
  * All of it is inline, in the namespace bdpt::abi1: none of its names is one of the library's own (namespace bdpt), so
- * that a program may link the static library, and two parts of a program headers of two ABIs.
+ * that a program may link the static library, and two parts of a program may use headers of two ABIs.
  */
+// clang-format on
 #ifndef BDPT_HPP
 #define BDPT_HPP
 
@@ -287,8 +292,7 @@ class Body {
   void* user_;
 };
 
-// The host's threads: run(n, body) returns when body(i) has returned for each i. It may throw when no body runs any
-// more.
+// The host's threads: run(n, body) returns when body(i) has returned for each i. It may throw while no body runs.
 class Executor {
  public:
   Executor() = default;  // none: the library's own threads
@@ -423,8 +427,7 @@ class Builder {
   bdpt_medium_id add_medium(const bdpt_medium_desc& d) { return add<bdpt_medium_id>(bdpt_medium_add, d); }
   bdpt_material_id add_material(const bdpt_material_desc& d) { return add<bdpt_material_id>(bdpt_material_add, d); }
   // And an object with the functions of bdpt_host_material, without `user` and const: evaluate and sample, on any
-  // thread that renders. `host` has the rest. What they throw is a rejected contribution, like an answer other than
-  // zero.
+  // thread that renders. `host` has the rest. What they throw is a rejected contribution, as is an answer but zero.
   template <class Material>
   bdpt_material_id add_host_material(bdpt_material_desc desc, bdpt_host_material host, Material material) {
     using Kept = detail::KeptOf<Material>;

@@ -5,7 +5,7 @@ set -eu
 lib=$BDPT_BINARY_DIR/lib
 [ -e "$lib/libbdpt.so" ] || exit 77
 [ "$(uname -s)" = Linux ] || exit 77
-cc=${CC:-cc}
+cc=${CC:-${BDPT_CC:-cc}}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"

@@ -39,6 +39,6 @@ int main(void) {
 END
 sed 's/#define WIDTH 400/#define WIDTH 40/; s/#define HEIGHT 300/#define HEIGHT 30/' \
   "$BDPT_SOURCE_DIR/examples/c/hello.c" > plugin.c
-${CC:-cc} -std=c99 -shared -fPIC -Dmain=plugin_run "-I$BDPT_SOURCE_DIR/include" plugin.c -o plugin.so "-L$lib" -lbdpt
-${CC:-cc} host.c -o host -ldl
+${CC:-${BDPT_CC:-cc}} -std=c99 -shared -fPIC -Dmain=plugin_run "-I$BDPT_SOURCE_DIR/include" plugin.c -o plugin.so "-L$lib" -lbdpt
+${CC:-${BDPT_CC:-cc}} host.c -o host -ldl
 LD_LIBRARY_PATH=$lib ./host

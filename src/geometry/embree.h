@@ -35,7 +35,6 @@ struct Hit {
   float time = 0;  // the ray's
 };
 
-
 // One of Embree's devices; books what Embree allocates.
 class RayDevice {
  public:
