@@ -14,7 +14,7 @@
 namespace {
 
 constexpr uint32_t kSide = 256;
-constexpr uint64_t kPasses = 32;
+constexpr uint64_t kPasses = 8;
 
 void check(bdpt_result result) {
   if (result == BDPT_OK) return;
