@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! A preview in the terminal: each tile goes into a picture as it comes, and each whole image is drawn over the one
-//! before, two pixels to a character. Where stdout is no terminal it is drawn once, at the end. The first argument is the
-//! number of passes.
+//! before, two pixels to a character. Where stdout is no terminal it is drawn once, at the end. The first argument is
+//! the number of passes.
 
 use bdpt::*;
 use std::fmt::Write as _;
@@ -74,11 +74,12 @@ fn is_terminal() -> bool {
 fn scene(context: &Context) -> Result<Scene> {
     let mut builder = Builder::new(context)?;
     let ball = builder.add_sphere(Sphere::new([0.0, 1.0, 0.0], 1.0))?;
-    let earth = builder.add_sphere(Sphere::new([0.0, -1000.0, 0.0], 1000.0))?;
+    let (a, b, c, d) = ([-9.0, 0.0, 9.0], [9.0, 0.0, 9.0], [9.0, 0.0, -9.0], [-9.0, 0.0, -9.0]);
+    let floor = builder.add_mesh(Mesh::new([a, b, c, a, c, d]))?;
     let gold = builder.add_material(Material::metal(Metal::Gold)?.roughness([0.15, 0.15]))?;
     let glass = builder.add_material(Material::dielectric(1.5))?;
     let clay = builder.add_material(Material::diffuse([0.5, 0.55, 0.6]))?;
-    builder.add_instance(&Instance::new(earth, clay))?;
+    builder.add_instance(&Instance::new(floor, clay))?;
     builder.add_instance(&Instance::new(ball, gold).transform(Transform::translate([-1.1, 0.0, 0.0])))?;
     builder.add_instance(&Instance::new(ball, glass).transform(Transform::translate([1.1, 0.0, 0.0])))?;
     builder.add_light(&Light::environment([0.3, 0.4, 0.6]))?;

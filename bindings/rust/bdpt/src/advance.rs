@@ -84,21 +84,21 @@ impl<'a> Advance<'a> {
         self.noise = noise;
         self
     }
-    /// Stops the call from anywhere; it returns with [`StopReason::Cancelled`]. What is finished is kept, and the next call
-    /// completes the pass.
+    /// Stops the call from anywhere; it returns with [`StopReason::Cancelled`]. What is finished is kept, and the next
+    /// call completes the pass.
     pub fn cancel(mut self, token: &CancelToken) -> Self {
         self.cancel = Some(token.clone());
         self
     }
-    /// Called about ten times a second on this thread, once at the beginning, and once at the end of a call that finishes.
-    /// [`ControlFlow::Break`] stops the call, which returns with [`StopReason::Callback`]. A panic goes on where the call
-    /// returns, and the render can be used after it.
+    /// Called about ten times a second on this thread, once at the beginning, and once at the end of a call that
+    /// finishes. [`ControlFlow::Break`] stops the call, which returns with [`StopReason::Callback`]. A panic goes
+    /// on where the call returns, and the render can be used after it.
     pub fn progress<R: Flow>(mut self, mut progress: impl FnMut(&Running<'_>) -> R + 'a) -> Self {
         self.progress = Some(Box::new(move |now| progress(now).flow()));
         self
     }
-    /// Sends the image in tiles, after every so many passes and at the end of the call; 0 = only at the end. Returns and
-    /// panics are as those of [`progress`](Self::progress).
+    /// Sends the image in tiles, after every so many passes and at the end of the call; 0 = only at the end. Returns
+    /// and panics are as those of [`progress`](Self::progress).
     pub fn tiles<R: Flow>(self, every: u32, tile: impl FnMut(Tile<'_>) -> R + 'a) -> Self {
         self.sink(every, sink::each_tile(tile))
     }

@@ -48,13 +48,13 @@ const SLACK: usize = 16;
 ///
 /// A `Vec`, an `Arc<[T]>` or any other [owner](Self::from_owner) is kept, not copied; a slice is copied.
 ///
-/// Of positions and indices, up to 16 bytes behind the last element are read. A `Vec` gets room for them, which moves it
-/// unless it has capacity for two elements more. What is shared has no room, unless it is a [`range`](Self::range) of
-/// something larger: without it the library copies indices, and positions for the ray queries.
+/// Of positions and indices, up to 16 bytes behind the last element are read. A `Vec` gets room for them, which moves
+/// it unless it has capacity for two elements more. What is shared has no room, unless it is a [`range`](Self::range)
+/// of something larger: without it the library copies indices, and positions for the ray queries.
 ///
-/// The library also makes its own of 16-bit indices, of indices when it drops triangles without area, of normals that are
-/// not unit, and of colours without opacity. Curves and subdivision surfaces are made into something else, and their
-/// arrays are dropped when they are added.
+/// The library also makes its own of 16-bit indices, of indices when it drops triangles without area, of normals that
+/// are not unit, and of colours without opacity. Curves and subdivision surfaces are made into something else, and
+/// their arrays are dropped when they are added.
 ///
 /// ```
 /// # fn main() -> bdpt::Result<()> {

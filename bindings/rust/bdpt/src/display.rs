@@ -9,7 +9,7 @@ use bdpt_sys as sys;
 use std::path::PathBuf;
 use std::ptr::null;
 
-/// How linear pixels become display values in [0, 1].
+/// How linear pixels become display values in \[0, 1\].
 ///
 /// ```
 /// # fn main() -> bdpt::Result<()> {
@@ -109,7 +109,7 @@ impl Display {
 /// Pictures as PNG.
 impl Image {
     /// Writes display values as an 8-bit PNG, first under another name, so that `path` holds the old file or the new one.
-    /// Values are clipped to [0, 1] and rounded; see [`Display`](crate::Display).
+    /// Values are clipped to \[0, 1\] and rounded; see [`Display`](crate::Display).
     ///
     /// ```
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -14,8 +14,8 @@ use bdpt_sys as sys;
 use std::fmt;
 use std::path::Path;
 
-/// The measurements of a sensor: what a [`Render`](crate::Render) fills. It may be sent to another thread, but not shared
-/// with one.
+/// The measurements of a sensor: what a [`Render`](crate::Render) fills. It may be sent to another thread, but not
+/// shared with one.
 ///
 /// ```
 /// # fn main() -> bdpt::Result<()> {
@@ -149,8 +149,8 @@ impl Film {
         let entries = raw.into_iter().map(|entry| CoverageEntry { id: entry.id, part: entry.part }).collect();
         Ok(Coverage { width, height, ranks, entries, lost })
     }
-    /// Of a rectangle within the film, of the film where it is empty, and nothing where it is neither: the library refuses
-    /// such.
+    /// Of a rectangle within the film, of the film where it is empty, and nothing where it is neither: the library
+    /// refuses such.
     fn size_of(&self, rect: Rect) -> Result<(u32, u32)> {
         let info = self.info()?;
         if rect == Rect::default() {
@@ -223,8 +223,8 @@ pub struct FilmInfo {
     pub options_hash: u64,
     /// Contributions that were not finite or too large, and were left out.
     pub rejected: u64,
-    /// Square root of the relative variance, averaged over the measurements of plane 0; `None` while fewer than two groups
-    /// hold passes.
+    /// Square root of the relative variance, averaged over the measurements of plane 0; `None` while fewer than two
+    /// groups hold passes.
     pub relative_error: Option<f64>,
     /// Measurements: pixels, or texels that cover some surface.
     pub measured: u64,

@@ -50,7 +50,7 @@ impl FilmOptions {
     setters! {
         /// How samples are spread over pixels.
         filter: Filter => filter;
-        /// In pixels, [0.5, 8]; 0 = the filter's own.
+        /// In pixels, \[0.5, 8\]; 0 = the filter's own.
         filter_radius: f32 => filter_radius;
         /// By what sums are divided.
         normalization: Normalization => normalization;

@@ -5,8 +5,8 @@ use crate::host::host;
 use bdpt_sys as sys;
 use std::os::raw::c_void;
 
-/// Where a [`HostMaterial`] scatters. Directions are unit vectors that point away from the surface, in the shading frame:
-/// z along the normal on the front, x along u.
+/// Where a [`HostMaterial`] scatters. Directions are unit vectors that point away from the surface, in the shading
+/// frame: z along the normal on the front, x along u.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScatteringPlace {
@@ -33,8 +33,9 @@ pub struct Scattering {
 ///
 /// Both functions depend on nothing but their arguments; else techniques disagree, and no two renders are the same.
 /// Numbers that are negative or not finite, and directions that are no unit vectors, are rejected contributions:
-/// [`FilmInfo::rejected`](crate::FilmInfo::rejected) counts them. Both are called on any thread that renders, several at
-/// a time. A panic in them stops the render soon, and goes on where [`Render::advance`](crate::Render::advance) returns.
+/// [`FilmInfo::rejected`](crate::FilmInfo::rejected) counts them. Both are called on any thread that renders, several
+/// at a time. A panic in them stops the render soon, and goes on where [`Render::advance`](crate::Render::advance)
+/// returns.
 ///
 /// ```
 /// use bdpt::{HostMaterial, Scattering, ScatteringPlace};

@@ -27,9 +27,9 @@ pub struct Photometry {
 }
 
 impl Photometry {
-    /// Vertical angles are from the light's direction, ascending, in [0,180] degrees. Horizontal angles go round it,
-    /// ascending: 0 alone, or from 0 to 90, 180 or 360 degrees. Intensities: all vertical angles of the first horizontal
-    /// one, then of the next.
+    /// Vertical angles are from the light's direction, ascending, in \[0,180\] degrees. Horizontal angles go round it,
+    /// ascending: 0 alone, or from 0 to 90, 180 or 360 degrees. Intensities: all vertical angles of the first
+    /// horizontal one, then of the next.
     ///
     /// # Errors
     /// When there is not an intensity for each pair of angles.
@@ -142,11 +142,11 @@ impl Light {
         direction: [f32; 3] => direction;
         /// Spot: width of the edge inside the cone, in degrees.
         cone_falloff: f32 => cone_falloff;
-        /// A number of your own, in [0,63]: outputs of sensors may ask for some groups' light alone.
+        /// A number of your own, in \[0,63\]: outputs of sensors may ask for some groups' light alone.
         group: u32 => group;
         /// Environment: turns the picture.
         transform: Transform => transform;
-        /// Directional: of the disc, in [0,80] degrees; the sun's is 0.2665.
+        /// Directional: of the disc, in \[0,80\] degrees; the sun's is 0.2665.
         angular_radius: f32 => angular_radius;
         /// Spot with a texture: where the picture's top is. Photometry: where horizontal angles begin.
         up: [f32; 3] => up;

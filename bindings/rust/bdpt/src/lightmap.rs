@@ -31,7 +31,7 @@ impl LightmapInstance {
     pub fn new(instance: InstanceId) -> Self {
         instance.into()
     }
-    /// Its rectangle: coordinates times `scale` plus `offset` are the place in the atlas, which is [0, 1]², with v = 1
+    /// Its rectangle: coordinates times `scale` plus `offset` are the place in the atlas, which is \[0, 1\]², with v = 1
     /// its top row.
     pub fn rectangle(mut self, scale: [f32; 2], offset: [f32; 2]) -> Self {
         self.raw.scale = scale;

@@ -81,8 +81,8 @@ impl Material {
     pub fn metal(metal: Metal) -> Result<Self> {
         metal.index().map(|(eta, k)| Self::conductor(eta, k))
     }
-    /// Fresnel reflection and refraction; smooth, or GGX with a [`roughness`](Self::roughness). The index is that inside
-    /// over that outside.
+    /// Fresnel reflection and refraction; smooth, or GGX with a [`roughness`](Self::roughness). The index is that
+    /// inside over that outside.
     pub fn dielectric(ior: f32) -> Self {
         Self::new(sys::BDPT_MATERIAL_DIELECTRIC).ior(ior)
     }
@@ -153,13 +153,13 @@ impl Material {
         self.raw.opacity = opacity;
         self
     }
-    /// Principled: weight of the dielectric's gloss, in [0,1]; 1 by default.
+    /// Principled: weight of the dielectric's gloss, in \[0,1\]; 1 by default.
     pub fn specular(mut self, weight: f32) -> Self {
         self.raw.specular = if weight == 0.0 { -1.0 } else { weight };
         self
     }
-    /// A thin film on the principled base: its weight, its index (0 = 1.3), its thickness in nanometres (0 = 400), and that
-    /// where its texture is 0.
+    /// A thin film on the principled base: its weight, its index (0 = 1.3), its thickness in nanometres (0 = 400), and
+    /// that where its texture is 0.
     pub fn iridescence(mut self, weight: f32, ior: f32, thickness: f32, thickness_minimum: f32) -> Self {
         self.raw.iridescence = weight;
         self.raw.iridescence_ior = ior;
@@ -168,13 +168,13 @@ impl Material {
         self
     }
     setters! {
-        /// In [0,1] per channel. Of all but conductors, dielectrics and mixes.
+        /// In \[0,1\] per channel. Of all but conductors, dielectrics and mixes.
         reflectance: [f32; 3] => reflectance;
         /// What meets the back is absorbed.
         one_sided: bool => one_sided;
         /// Index inside over index outside; 0 = 1.5.
         ior: f32 => ior;
-        /// GGX alpha along u and v, in [0,1]; both 0 = smooth.
+        /// GGX alpha along u and v, in \[0,1\]; both 0 = smooth.
         roughness: [f32; 2] => roughness;
         /// Alpha is the square of roughness, and of its texture, as in glTF and OpenPBR.
         perceptual_roughness: bool => perceptual_roughness;
@@ -182,15 +182,15 @@ impl Material {
         emission: [f32; 3] => emission;
         /// The back emits too.
         emission_two_sided: bool => emission_two_sided;
-        /// The light's group, in [0,63].
+        /// The light's group, in \[0,63\].
         emission_group: u32 => emission_group;
-        /// What is emitted goes by this power of the cosine to the normal, in [-1,10000]; 0 = Lambertian.
+        /// What is emitted goes by this power of the cosine to the normal, in \[-1,10000\]; 0 = Lambertian.
         emission_exponent: f32 => emission_exponent;
         /// Where several closed surfaces overlap, that of highest priority is what is there.
         priority: u32 => priority;
-        /// Oren-Nayar's, in [0,1].
+        /// Oren-Nayar's, in \[0,1\].
         diffuse_roughness: f32 => diffuse_roughness;
-        /// The colour of what goes through, in [0,1].
+        /// The colour of what goes through, in \[0,1\].
         transmittance: [f32; 3] => transmittance;
         /// Principled: weight of a clear coat.
         coat: f32 => coat;

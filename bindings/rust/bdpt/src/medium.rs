@@ -23,13 +23,13 @@ pub struct Medium {
 }
 
 impl Medium {
-    /// Coefficients of absorption and of scattering, in [0,1e9], by 1 / world unit: light falls by exp(-sigma_a d).
+    /// Coefficients of absorption and of scattering, in \[0,1e9\], by 1 / world unit: light falls by exp(-sigma_a d).
     pub fn new(sigma_a: [f32; 3], sigma_s: [f32; 3]) -> Self {
         Self { label: None, raw: sys::bdpt_medium_desc { sigma_a, sigma_s, ..Default::default() }.into() }
     }
     labelled!();
     setters! {
-        /// Of the angle by which light is turned, in [-0.9999,0.9999], as Henyey and Greenstein (1941) have it.
+        /// Of the angle by which light is turned, in \[-0.9999,0.9999\], as Henyey and Greenstein (1941) have it.
         mean_cosine: f32 => g;
     }
 }

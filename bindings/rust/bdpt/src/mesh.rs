@@ -6,8 +6,8 @@ use crate::error::{Result, Text};
 use crate::panics::Panics;
 use bdpt_sys as sys;
 
-/// A triangle mesh. Its front is the side from which its vertices turn counter-clockwise; where vertex normals are given,
-/// the side they point to.
+/// A triangle mesh. Its front is the side from which its vertices turn counter-clockwise; where vertex normals are
+/// given, the side they point to.
 ///
 /// ```
 /// # fn main() -> bdpt::Result<()> {
@@ -108,14 +108,14 @@ impl Mesh {
         self.uv[1] = uv.into();
         self
     }
-    /// A colour for each vertex, in [0,1], linear: multiplies the reflectance of the instance's material, and the fourth
-    /// number its opacity.
+    /// A colour for each vertex, in \[0,1\], linear: multiplies the reflectance of the instance's material, and the
+    /// fourth number its opacity.
     pub fn colors(mut self, colors: impl Into<Colors>) -> Self {
         self.colors = colors.into();
         self
     }
-    /// For each vertex where x of normal maps points, and the sign of y: y = sign * normal x tangent. Without them it is
-    /// along u.
+    /// For each vertex where x of normal maps points, and the sign of y: y = sign * normal x tangent. Without them it
+    /// is along u.
     pub fn tangents(mut self, tangents: impl Into<Data<[f32; 4]>>) -> Self {
         self.tangents = tangents.into();
         self

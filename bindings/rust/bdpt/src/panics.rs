@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Panics in callbacks: they end at the library's edge, and go on when its call has returned.
 //!
-//! Every callback runs inside [`Panics::catch`], so that nothing unwinds through the library. The payload is kept in the
-//! frame of the call that this thread is in the middle of, or, on a thread of the library's own, in the slot of the
+//! Every callback runs inside [`Panics::catch`], so that nothing unwinds through the library. The payload is kept in
+//! the frame of the call that this thread is in the middle of, or, on a thread of the library's own, in the slot of the
 //! object whose callback it is. When the call returns, [`call`] and [`make`] resume what they find in either.
 
 use crate::error::{check, Result};

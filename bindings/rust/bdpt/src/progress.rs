@@ -7,7 +7,7 @@ use bdpt_sys as sys;
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// Work done over work asked for, in [0,1], never falling; by a time or noise limit, an estimate.
+    /// Work done over work asked for, in \[0,1\], never falling; by a time or noise limit, an estimate.
     pub fraction: f64,
     /// Since the call began.
     pub seconds: f64,

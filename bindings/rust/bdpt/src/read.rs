@@ -138,7 +138,7 @@ impl Default for CoverageOptions {
 pub struct CoverageEntry {
     /// The [`number`](crate::InstanceId::number) of an instance's or material's id; 0 where `part` is 0.
     pub id: u64,
-    /// Of the pixel's samples, in [0,1].
+    /// Of the pixel's samples, in \[0,1\].
     pub part: f32,
 }
 

@@ -46,8 +46,8 @@ pub struct Render {
 }
 
 impl Render {
-    /// A render of a film that is empty or was filled with the same scene, sensor, options and seed: it then goes on, and
-    /// passes that the film holds are not rendered again.
+    /// A render of a film that is empty or was filled with the same scene, sensor, options and seed: it then goes on,
+    /// and passes that the film holds are not rendered again.
     ///
     /// # Errors
     /// The error has the film: see [`RenderError::into_film`]. `?` makes an [`Error`] of it where one is asked for, and

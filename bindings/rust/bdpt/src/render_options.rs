@@ -173,7 +173,8 @@ impl Techniques {
     }
 }
 
-/// How paths are sampled, connected and weighed. `bdpt.h` defines each number and its range; zero is the default of each.
+/// How paths are sampled, connected and weighed. `bdpt.h` defines each number and its range; zero is the default of
+/// each.
 ///
 /// ```
 /// use bdpt::{Heuristic, LightSelection, RenderOptions};
@@ -218,7 +219,7 @@ impl RenderOptions {
         heuristic: Heuristic => heuristic;
         /// The power heuristic's exponent, up to 64; 0 = 2.
         beta: f32 => beta;
-        /// The cutoff heuristic's threshold, in [0,1].
+        /// The cutoff heuristic's threshold, in \[0,1\].
         cutoff: f32 => cutoff;
         /// Where random numbers come from.
         sampler: Sampler => sampler;

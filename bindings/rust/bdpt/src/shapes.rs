@@ -148,8 +148,8 @@ pub struct Subdivision<'a> {
 }
 
 impl<'a> Subdivision<'a> {
-    /// A surface of quadrilaterals, until [`face_counts`](Self::face_counts) are given: `indices` has the position of each
-    /// corner, face after face. 8 segments to an edge.
+    /// A surface of quadrilaterals, until [`face_counts`](Self::face_counts) are given: `indices` has the position of
+    /// each corner, face after face. 8 segments to an edge.
     pub fn new(positions: impl Into<Data<[f32; 3]>>, indices: impl Into<Data<u32>>) -> Self {
         Self {
             label: None,

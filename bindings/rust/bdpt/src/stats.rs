@@ -82,9 +82,9 @@ stats!(
         shadow_rays_blocked: u64,
         /// By the shadow rays' roulette.
         shadow_rays_skipped: u64,
-        /// Share of the sum of all contributions, in [0,1].
+        /// Share of the sum of all contributions, in \[0,1\].
         energy: f64,
-        /// Share of the sum of their squares, in [0,1]: where noise comes from.
+        /// Share of the sum of their squares, in \[0,1\]: where noise comes from.
         squares: f64,
         /// Thread-seconds of connecting and of shadow rays.
         seconds: f64,

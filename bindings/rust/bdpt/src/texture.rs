@@ -37,7 +37,8 @@ texel!(Half, BDPT_TEXEL_HALF);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Half(pub u16);
 
-/// An image, which the library copies. How it is looked up is said where it is used ([`TextureUse`](crate::TextureUse)).
+/// An image, which the library copies. How it is looked up is said where it is used
+/// ([`TextureUse`](crate::TextureUse)).
 ///
 /// ```
 /// # fn main() -> bdpt::Result<()> {
@@ -109,7 +110,7 @@ impl<'a> Texture<'a> {
         let given = self.pixels.len() / self.texel_size;
         if needed > given as u128 {
             return Err(Error::refused(format!(
-                "a texture of {width} x {height} pixels of {channels} channels takes {needed} numbers: {given} were given"
+                "a texture of {width} x {height} pixels, {channels} channels each, takes {needed} numbers, not {given}"
             )));
         }
         let (label, color_space) = (Text::new(&self.label)?, Text::new(&self.color_space)?);

@@ -5,8 +5,8 @@ use crate::id::TextureId;
 use bdpt_sys as sys;
 
 enumeration!(
-    /// What of a [`Material`](crate::Material) a texture varies. Colours are multiplied by the texture's, numbers by one
-    /// of its channels; what is 0 is refused.
+    /// What of a [`Material`](crate::Material) a texture varies. Colours are multiplied by the texture's, numbers by
+    /// one of its channels; what is 0 is refused.
     Slot: bdpt_slot {
         /// Colour.
         Reflectance = BDPT_SLOT_REFLECTANCE,
@@ -108,7 +108,7 @@ impl TextureUse {
         transform: [f32; 6] => transform;
         /// How it is interpolated.
         lookup: Lookup => lookup;
-        /// Mip level, in [0,16]; between two levels both are mixed.
+        /// Mip level, in \[0,16\]; between two levels both are mixed.
         level: f32 => level;
         /// Of normal and bump maps; 0 = 1.
         scale: f32 => scale;
