@@ -9,6 +9,8 @@
  *   A builder collects shapes, textures, materials, lights and instances and builds an immutable scene. A sensor says
  *   what is measured, a film holds the measurements, a render joins the three and samples them, pass by pass. One pass
  *   is one sample per measurement (per pixel, for a camera).
+ *   A whole program is examples/c/hello.c, of 60 lines. bdpt.hpp is the same for C++, with handles that release
+ *   themselves. docs/embedding.md tells what a program can rely on that has threads, limits and logs of its own.
  *
  * Conventions
  *   Structs    Every struct passed by pointer begins with struct_size; set it to sizeof the struct. Zero is the
@@ -1587,9 +1589,11 @@ typedef struct bdpt_render_desc {
  *                subpaths for each eye subpath all over the image, as a short pilot at the start of the first call
  *                advises. All passes of a seed have the same choice; bdpt_render_stats tells it. As without bias as the
  *                other plans: what does not find all paths of this scene is not chosen
- * Returns: the name of plan number `index`, and a line about it; NULL past the last. Threads: any thread.
- * Callbacks: allowed. Ownership: the library's, for ever. */
+ * Returns: the name of plan number `index`; NULL past the last. Threads: any thread. Callbacks: allowed.
+ * Ownership: the library's, for ever. */
 BDPT_API const char *bdpt_plan_name(uint32_t index);
+/* A line about plan number `index`. Returns: it; NULL past the last. Threads: any thread. Callbacks: allowed.
+ * Ownership: the library's, for ever. */
 BDPT_API const char *bdpt_plan_summary(uint32_t index);
 
 /* Joins a scene, a sensor and a film. The film must be empty or have been filled with the same scene, sensor, options

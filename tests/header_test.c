@@ -61,7 +61,7 @@ HOLDS(build_desc_grows_at_its_end, offsetof(bdpt_build_desc, medium) == 32);
 bdpt_result check(bdpt_context **context);
 bdpt_result check(bdpt_context **context) {
   bdpt_context_desc desc;
-  desc.struct_size = (uint32_t)sizeof desc;
+  desc.struct_size = sizeof desc;
   desc.isa = BDPT_ISA_BEST;
   return bdpt_context_create(BDPT_ABI, &desc, context);
 }

@@ -109,7 +109,7 @@ bdpt_result bdpt_context_get_info(const bdpt_context* context, bdpt_context_info
     result.threads = context->executor->worker_count();
     result.isa = static_cast<bdpt_isa>(context->device->isa());
     result.code_isa = static_cast<bdpt_isa>(code_isa());
-    result.embree = RayDevice::version();
+    result.embree = context->device->running_version();
     result.memory = context->meter->used();
     result.memory_peak = context->meter->peak();
     write_struct(result, info);

@@ -50,6 +50,9 @@ struct Accumulator {
   }
 
   double value() const {
+    // Nearly all fit into one word, and then nothing else is slow about reading a film.
+    const int64_t word = static_cast<int64_t>(low);
+    if (high == word >> 63) return static_cast<double>(word) * 0x1p-48;
     const Int128 v = (static_cast<Int128>(high) << 64) | low;
     return static_cast<double>(v) * 0x1p-48;
   }

@@ -249,6 +249,11 @@ struct Sums {
     weight += s[unfiltered ? layout.own_weight() : layout.weight()].value();
     if (layout.counts) samples += s[layout.samples()].value();
   }
+  void add(const Sums& o) {
+    for (size_t c = 0; c < 3; ++c) eye[c] += o.eye[c], light[c] += o.light[c];
+    weight += o.weight;
+    samples += o.samples;
+  }
   double eye_scale(bool by_weights, double passes) const {
     if (by_weights && weight != 0) return weight > 0 ? 1 / weight : 0;
     return passes > 0 ? 1 / passes : 0;
@@ -257,13 +262,49 @@ struct Sums {
 
 }  // namespace
 
-void Film::read_group(int group, size_t pixel, size_t plane, double rgb[3]) const {
-  Sums sums;
-  sums.add(layout_, sums_of(group, pixel), plane, is_unfiltered(plane));
-  const double passes = double(passes_in_group(group));
-  const double scale = sums.eye_scale(desc_.normalize_by_weights, passes);
-  for (int c = 0; c < 3; ++c) rgb[c] = sums.eye[c] * scale + (passes > 0 ? sums.light[c] / passes : 0);
-}
+// Reads the mean of a pixel and the variance of this mean, both from the groups of passes that hold any.
+class Film::GroupReader {
+ public:
+  explicit GroupReader(const Film& film) : film_(film) {
+    for (int g = 0; g < film.desc_.groups; ++g)
+      if (const double n = double(film.passes_in_group(g)); n > 0) {
+        groups_.push_back({g, n});
+        all_ += n;
+      }
+  }
+  size_t filled() const { return groups_.size(); }
+
+  // Needs two filled groups.
+  void read(size_t pixel, size_t plane, double color[3], double variance[3]) const {
+    const bool by_weights = film_.desc_.normalize_by_weights;
+    Sums whole;
+    double mean[3] = {}, square[3] = {};
+    for (const Group& g : groups_) {
+      Sums sums;
+      sums.add(film_.layout_, film_.sums_of(g.index, pixel), plane, film_.is_unfiltered(plane));
+      whole.add(sums);
+      const double scale = sums.eye_scale(by_weights, g.passes), w = g.passes / all_;
+      for (int c = 0; c < 3; ++c) {
+        const double v = sums.eye[c] * scale + sums.light[c] / g.passes;
+        mean[c] += w * v, square[c] += w * v * v;
+      }
+    }
+    const double scale = whole.eye_scale(by_weights, all_);
+    for (int c = 0; c < 3; ++c) {
+      color[c] = whole.eye[c] * scale + whole.light[c] / all_;
+      variance[c] = std::max(0.0, square[c] - mean[c] * mean[c]) / double(filled() - 1);
+    }
+  }
+
+ private:
+  struct Group {
+    int index;
+    double passes;
+  };
+  const Film& film_;
+  std::vector<Group> groups_;
+  double all_ = 0;
+};
 
 void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool include_partial, float* out,
                 size_t row_stride, int plane_index) const {
@@ -272,10 +313,7 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
   if (layer == FilmLayer::Rejected) return read_rejected(rect, include_partial, out, row_stride);
   const double whole = double(passes() + (include_partial ? recipe_.pool_passes : 0));
   const double per_pass = whole > 0 ? 1 / whole : 0;
-  std::vector<double> group_passes;
-  for (int g = 0; g < desc_.groups; ++g) group_passes.push_back(double(passes_in_group(g)));
-  int filled = 0;
-  for (double n : group_passes) filled += n > 0;
+  const GroupReader groups(*this);
 
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
@@ -303,16 +341,8 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
           break;
         }
         case FilmLayer::Variance: {
-          if (filled < 2) break;
-          double mean[3] = {}, square[3] = {};
-          for (int g = 0; g < desc_.groups; ++g) {
-            if (group_passes[size_t(g)] == 0) continue;
-            double v[3];
-            read_group(g, pixel, plane, v);
-            const double w = group_passes[size_t(g)] / double(passes());
-            for (int c = 0; c < 3; ++c) mean[c] += w * v[c], square[c] += w * v[c] * v[c];
-          }
-          for (int c = 0; c < 3; ++c) rgb[c] = std::max(0.0, square[c] - mean[c] * mean[c]) / (filled - 1);
+          double color[3];
+          if (groups.filled() >= 2) groups.read(pixel, plane, color, rgb);
           break;
         }
         case FilmLayer::Samples:
@@ -373,24 +403,24 @@ std::vector<Film::Covered> Film::read_coverage(size_t coverage, const PixelRect&
 }
 
 double Film::relative_error() const {
-  int filled = 0;
-  for (int g = 0; g < desc_.groups; ++g) filled += passes_in_group(g) > 0;
-  if (filled < 2) return -1;
-  const PixelRect all{0, 0, desc_.width, desc_.height};
-  std::vector<float> color(pixels() * 3), variance(pixels() * 3);
-  read(FilmLayer::Color, 0, 0, all, false, color.data(), size_t(desc_.width) * 3);
-  read(FilmLayer::Variance, 0, 0, all, false, variance.data(), size_t(desc_.width) * 3);
-  const auto grey = [](const float* p) { return (double(p[0]) + p[1] + p[2]) / 3; };
+  const GroupReader reader(*this);
+  if (reader.filled() < 2) return -1;
+  struct Grey {
+    float mean, variance;
+  };
+  std::vector<Grey> greys(pixels());
   double mean = 0;
-  for (size_t i = 0; i < pixels(); ++i) mean += grey(&color[3 * i]);
+  for (size_t i = 0; i < pixels(); ++i) {
+    double color[3], variance[3];
+    reader.read(i, 0, color, variance);
+    greys[i] = {float((color[0] + color[1] + color[2]) / 3), float((variance[0] + variance[1] + variance[2]) / 3)};
+    mean += greys[i].mean;
+  }
   const double measured = double(desc_.measured > 0 ? desc_.measured : pixels());
   mean /= measured;
   if (!(mean > 0)) return 0;
   double sum = 0;
-  for (size_t i = 0; i < pixels(); ++i) {
-    const double m = grey(&color[3 * i]);
-    sum += grey(&variance[3 * i]) / (m * m + 0.01 * mean * mean);
-  }
+  for (const Grey& g : greys) sum += g.variance / (double(g.mean) * g.mean + 0.01 * mean * mean);
   return std::sqrt(sum / measured);
 }
 

@@ -8,6 +8,8 @@
 
 #include "sampling/hash.h"
 
+#include <dlfcn.h>
+
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -86,10 +88,92 @@ const char* isa_config(Isa isa) {
   return nullptr;
 }
 
+// --- Which Embree answers. Its functions have names without a version: where the program, or what it loaded before
+// this library, has another Embree, the loader gives us that one's. Only what is the same in all versions is called
+// before this is known. ---
+
+// All that is called, here and in limit_surface.cpp.
+const void* const kFunctions[] = {
+    (const void*)rtcNewDevice,
+    (const void*)rtcGetDeviceProperty,
+    (const void*)rtcGetDeviceError,
+    (const void*)rtcReleaseDevice,
+    (const void*)rtcSetDeviceMemoryMonitorFunction,
+    (const void*)rtcNewScene,
+    (const void*)rtcReleaseScene,
+    (const void*)rtcCommitScene,
+    (const void*)rtcSetSceneFlags,
+    (const void*)rtcSetSceneBuildQuality,
+    (const void*)rtcSetSceneProgressMonitorFunction,
+    (const void*)rtcNewGeometry,
+    (const void*)rtcReleaseGeometry,
+    (const void*)rtcCommitGeometry,
+    (const void*)rtcAttachGeometry,
+    (const void*)rtcAttachGeometryByID,
+    (const void*)rtcSetGeometryInstancedScene,
+    (const void*)rtcSetGeometryIntersectFilterFunction,
+    (const void*)rtcSetGeometryOccludedFilterFunction,
+    (const void*)rtcSetGeometrySubdivisionMode,
+    (const void*)rtcSetGeometryTimeStepCount,
+    (const void*)rtcSetGeometryTransform,
+    (const void*)rtcSetGeometryUserData,
+    (const void*)rtcSetNewGeometryBuffer,
+    (const void*)rtcSetSharedGeometryBuffer,
+    (const void*)rtcInterpolateN,
+    (const void*)rtcIntersect16,
+    (const void*)rtcOccluded16,
+};
+
+constexpr const char* kOtherEmbree =
+    ". The program, or a library that it loads, brings an Embree of its own: see docs/embedding.md, \"Another Embree\"";
+
+std::string file_of(const void* function) {
+  Dl_info info{};
+  return dladdr(function, &info) && info.dli_fname ? info.dli_fname : "a file unknown";
+}
+
+// Once: what a name is bound to when this library is loaded (-z now) it stays bound to.
+void check_one_embree() {
+  static const std::string other = [] {
+    for (const void* function : kFunctions)
+      if (const std::string file = file_of(function); file != file_of(kFunctions[0])) return file;
+    return std::string();
+  }();
+  if (!other.empty())
+    fail(ErrorCode::Unsupported, "Embree's functions come from two files, ", file_of(kFunctions[0]), " and ", other,
+         kOtherEmbree);
+}
+
+std::string version_text(uint32_t version) {
+  return std::to_string(version / 10000) + '.' + std::to_string(version / 100 % 100) + '.' +
+         std::to_string(version % 100);
+}
+
+constexpr uint32_t kBuiltFor = RTC_VERSION_MAJOR * 10000 + RTC_VERSION_MINOR * 100 + RTC_VERSION_PATCH;
+
+uint32_t checked_version(RTCDevice device) {
+  const auto get = [&](RTCDeviceProperty property) { return rtcGetDeviceProperty(device, property); };
+  const uint32_t version = uint32_t(get(RTC_DEVICE_PROPERTY_VERSION));
+  if (version / 10000 != RTC_VERSION_MAJOR || version / 100 < kBuiltFor / 100)
+    fail(ErrorCode::Unsupported, "this library was built for Embree ", version_text(kBuiltFor), ", but Embree ",
+         version_text(version), " answers, from ", file_of(kFunctions[0]), kOtherEmbree);
+  // Options of Embree's build without which pictures would be wrong, and nobody be told.
+  const bool complete =
+      get(RTC_DEVICE_PROPERTY_FILTER_FUNCTION_SUPPORTED) && get(RTC_DEVICE_PROPERTY_TRIANGLE_GEOMETRY_SUPPORTED) &&
+      get(RTC_DEVICE_PROPERTY_SUBDIVISION_GEOMETRY_SUPPORTED) && get(RTC_DEVICE_PROPERTY_CURVE_GEOMETRY_SUPPORTED) &&
+      get(RTC_DEVICE_PROPERTY_POINT_GEOMETRY_SUPPORTED) && !get(RTC_DEVICE_PROPERTY_BACKFACE_CULLING_ENABLED);
+  if (!complete)
+    fail(ErrorCode::Unsupported, "Embree ", version_text(version), " from ", file_of(kFunctions[0]),
+         " was built without filter functions, triangles, subdivision surfaces, curves or points, or culls back faces: "
+         "this library needs one with all of them, and without culling");
+  return version;
+}
+
 }  // namespace
 
 struct RayDevice::Implementation {
   RTCDevice device = nullptr;
+  uint32_t version = 0;
   Isa isa = Isa::Best;
   std::shared_ptr<MemoryMeter> meter;
   std::atomic<int64_t> bytes{0};
@@ -116,11 +200,19 @@ RayDevice::RayDevice(Isa isa, std::shared_ptr<MemoryMeter> meter)
     fail(ErrorCode::Unsupported, "isa: this machine does not have it; BDPT_ISA_BEST takes what it has");
   i.isa = isa == Isa::Best ? best_isa() : isa;
   i.meter = std::move(meter);
+  check_one_embree();
   i.device = rtcNewDevice(isa_config(isa));
   if (!i.device) {
     const RTCError error = rtcGetDeviceError(nullptr);
     if (error == RTC_ERROR_OUT_OF_MEMORY) fail(ErrorCode::OutOfMemory, "Embree is out of memory");
-    fail(ErrorCode::Unsupported, "Embree cannot run on this machine (error ", int(error), ")");
+    fail(ErrorCode::Unsupported, "Embree, from ", file_of(kFunctions[0]), ", cannot run on this machine (error ",
+         int(error), ")");
+  }
+  try {
+    i.version = checked_version(i.device);
+  } catch (...) {
+    rtcReleaseDevice(i.device);
+    throw;
   }
   rtcSetDeviceMemoryMonitorFunction(i.device, Implementation::on_memory, &i);
 }
@@ -132,7 +224,8 @@ RayDevice::~RayDevice() {
 }
 
 Isa RayDevice::isa() const { return implementation_->isa; }
-uint32_t RayDevice::version() { return RTC_VERSION_MAJOR * 10000 + RTC_VERSION_MINOR * 100 + RTC_VERSION_PATCH; }
+uint32_t RayDevice::version() { return kBuiltFor; }
+uint32_t RayDevice::running_version() const { return implementation_->version; }
 RTCDeviceTy* RayDevice::embree() const { return implementation_->device; }
 
 void RayDevice::check_refused(int error) const {

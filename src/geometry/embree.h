@@ -45,8 +45,9 @@ class RayDevice {
   RayDevice& operator=(const RayDevice&) = delete;
 
   Isa isa() const;
-  static uint32_t version();  // 10000 major + 100 minor + patch
-  uint64_t memory() const;    // bytes Embree holds now
+  static uint32_t version();         // 10000 major + 100 minor + patch: that of the build
+  uint32_t running_version() const;  // of the Embree that answers
+  uint64_t memory() const;           // bytes Embree holds now
 
   RTCDeviceTy* embree() const;
   // Throws if it has refused memory, or if error (an RTCError) says that there is none.

@@ -16,9 +16,7 @@ Do one of these:
 
 /// The library in `folder`; shared where both kinds are there.
 pub fn in_folder(folder: &Path, include: Option<&Path>) -> Result<(), String> {
-    let has = |name: &str| folder.join(name).is_file();
-    let shared = ["libbdpt.so", "libbdpt.dylib", "bdpt.lib"].iter().any(|name| has(name));
-    if !shared && !has("libbdpt.a") {
+    if !has_shared(folder) && !has_static(folder) {
         return Err(format!(
             "BDPT_LIB_DIR is {:?}, where there is neither libbdpt.so nor libbdpt.a.\n{}",
             folder, WHAT_TO_DO
@@ -26,7 +24,7 @@ pub fn in_folder(folder: &Path, include: Option<&Path>) -> Result<(), String> {
     }
     let nearby = folder.join("../include");
     let include = include.or_else(|| Some(nearby.as_path()).filter(|folder| folder.join("bdpt.h").is_file()));
-    if shared {
+    if has_shared(folder) {
         println!("cargo:rustc-link-search=native={}", folder.display());
         println!("cargo:rustc-link-lib=dylib=bdpt");
     } else {
@@ -39,6 +37,14 @@ pub fn in_folder(folder: &Path, include: Option<&Path>) -> Result<(), String> {
         println!("cargo:include={}", include.display());
     }
     Ok(())
+}
+
+fn has_shared(folder: &Path) -> bool {
+    ["libbdpt.so", "libbdpt.dylib", "bdpt.lib"].iter().any(|name| folder.join(name).is_file())
+}
+
+fn has_static(folder: &Path) -> bool {
+    folder.join("libbdpt.a").is_file()
 }
 
 /// libbdpt.a of an installation: pkgconfig/bdpt.pc beside it names all that it stands on.
@@ -59,9 +65,11 @@ pub fn statically(folder: &Path) -> Result<(), String> {
     })
 }
 
-/// The library that pkg-config knows.
+/// The library that pkg-config knows; shared where both kinds are there.
 pub fn by_pkg_config() -> Result<(), String> {
-    probe(false).map_err(|error| format!("libbdpt was not found.\n{}\n{}", WHAT_TO_DO, error))
+    let folder = pkg_config::get_variable("bdpt", "libdir").unwrap_or_default();
+    let statik = has_static(folder.as_ref()) && !has_shared(folder.as_ref());
+    probe(statik).map_err(|error| format!("libbdpt was not found.\n{}\n{}", WHAT_TO_DO, error))
 }
 
 fn probe(statik: bool) -> Result<(), String> {

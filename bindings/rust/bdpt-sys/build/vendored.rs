@@ -14,8 +14,12 @@ The feature `vendored` needs CMake 3.25, a C++20 compiler and the development fi
 OpenEXR 3, OpenColorIO 2 and libpng. On Debian:
   apt install cmake g++ pkg-config libembree-dev libtbb-dev libopenexr-dev libopencolorio-dev libpng-dev";
 
+/// Instruction sets to compile for, as the CMake option of this name; by default all that the library may choose from
+/// when it is loaded. Fewer are quicker to build.
+const CODE_ISAS: &str = "BDPT_CODE_ISAS";
+
 pub fn build() -> Result<(), String> {
-    for name in ["CMAKE", "CMAKE_GENERATOR", "CMAKE_TOOLCHAIN_FILE", "CMAKE_PREFIX_PATH", "CXX", "CC"] {
+    for name in ["CMAKE", "CMAKE_GENERATOR", "CMAKE_TOOLCHAIN_FILE", "CMAKE_PREFIX_PATH", "CXX", "CC", CODE_ISAS] {
         println!("cargo:rerun-if-env-changed={}", name);
     }
     let sources = variable("CARGO_MANIFEST_DIR")?.join("bdpt");
@@ -39,6 +43,9 @@ pub fn build() -> Result<(), String> {
         configure.arg(format!("-DBDPT_BUILD_{}=OFF", part));
     }
     configure.arg("-DBDPT_NATIVE=OFF");
+    if let Ok(isas) = env::var(CODE_ISAS) {
+        configure.arg(format!("-DBDPT_CODE_ISAS={}", isas.replace(',', ";")));
+    }
     run(configure)?;
 
     let mut compile = cmake();

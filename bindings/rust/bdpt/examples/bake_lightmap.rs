@@ -5,8 +5,9 @@
 //! to, the second the number of passes.
 
 use bdpt::*;
+use std::path::Path;
 
-const SIDE: u32 = 256; // texels of the atlas
+pub const SIDE: u32 = 256; // texels of the atlas
 
 /// A unit square in the xz plane round the origin, whose front looks up.
 fn square() -> Mesh {
@@ -15,11 +16,8 @@ fn square() -> Mesh {
     Mesh::new(corners).indices(vec![[0_u16, 1, 2], [0, 2, 3]]).lightmap_uv(uv).label("square")
 }
 
-fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
-    let mut arguments = std::env::args().skip(1);
-    let folder = std::path::PathBuf::from(arguments.next().unwrap_or_else(|| ".".to_string()));
-    let passes = arguments.next().map_or(Ok(32), |text| text.parse())?;
-
+/// Bakes so many passes and writes the files; gives the planes, and the texels' area in the world.
+pub fn bake(folder: &Path, passes: u64) -> Result<(Vec<Image>, LightmapTexels)> {
     let context = Context::new()?;
     let mut builder = Builder::new(&context)?;
     let square = builder.add_mesh(square())?;
@@ -63,12 +61,21 @@ fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
     let mut picture = planes[0].clone();
     Display::srgb().apply(&mut picture)?;
     picture.write_png(folder.join("lightmap.png"))?;
+    Ok((planes, texels))
+}
 
-    // What falls on floor and wall: irradiance is pi times what is in the film.
-    let power = |image: &Image| -> f64 {
-        let power = |(pixel, area): (&[f32; 3], &f32)| std::f64::consts::PI * f64::from(pixel[1]) * f64::from(*area);
-        image.pixels().iter().zip(&texels.area).map(power).sum()
-    };
-    println!("floor and wall receive {:.2} W, {:.2} W of it indirectly", power(&planes[0]), power(&planes[1]));
+/// The light that falls on all of the surface, in watts: irradiance is pi times what is in the plane.
+pub fn power(plane: &Image, texels: &LightmapTexels) -> f64 {
+    let power = |(pixel, area): (&[f32; 3], &f32)| std::f64::consts::PI * f64::from(pixel[1]) * f64::from(*area);
+    plane.pixels().iter().zip(&texels.area).map(power).sum()
+}
+
+fn main() -> std::result::Result<(), Box<dyn std::error::Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let folder = arguments.next().unwrap_or_else(|| ".".to_string());
+    let passes = arguments.next().map_or(Ok(32), |text| text.parse())?;
+    let (planes, texels) = bake(Path::new(&folder), passes)?;
+    let (all, indirect) = (power(&planes[0], &texels), power(&planes[1], &texels));
+    println!("floor and wall receive {all:.2} W, {indirect:.2} W of it indirectly");
     Ok(())
 }

@@ -10,7 +10,7 @@ use std::f32::consts::PI;
 const LEAVES: u16 = 12;
 const WIDTH: f32 = 0.2;
 const LENGTH: f32 = 0.6;
-const AREA: f32 = 2.0 * WIDTH * LENGTH; // of both sides
+pub const AREA: f32 = 2.0 * WIDTH * LENGTH; // of both sides
 
 type Vector = [f32; 3];
 
@@ -114,7 +114,7 @@ fn add_leaf(builder: &mut Builder, square: ShapeId, green: MaterialId, k: u16) -
 }
 
 /// Measures leaves under a uniform sky of radiance 1 for so many passes: what falls on each, and what it takes up.
-fn measure(leaves: u16, passes: u64) -> Result<[Vec<f32>; 2]> {
+pub fn measure(leaves: u16, passes: u64) -> Result<[Vec<f32>; 2]> {
     let context = Context::new()?;
     let mut builder = Builder::new(&context)?;
     let corners = vec![[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]];

@@ -125,11 +125,9 @@ impl Mesh {
         Text::new(&self.label)
     }
 
-    /// For calls that read a mesh and keep nothing of it: valid as long as `self` and `label`.
-    #[allow(dead_code)]
-    pub(crate) fn look(&self, label: &Text) -> sys::bdpt_mesh_desc {
+    /// For calls that read a mesh and keep nothing of it: valid as long as `self`.
+    pub(crate) fn look(&self) -> sys::bdpt_mesh_desc {
         sys::bdpt_mesh_desc {
-            label: label.as_ptr(),
             positions: self.positions.look(),
             indices: match &self.indices {
                 Indices::U16(indices) => indices.look(),

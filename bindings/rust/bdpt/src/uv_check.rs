@@ -125,7 +125,7 @@ impl UvCheck {
         // A size out of range is refused before there is memory for it.
         let texels = u64::from(self.width) * u64::from(self.height);
         let texels = if texels > 1 << 28 { 0 } else { texels };
-        let triangles = instances.iter().map(|one| one.triangle_count() as u64).sum();
+        let triangles = instances.iter().map(|one| one.triangle_count()).sum();
         let mut maps = UvMaps {
             triangle_charts: zeros(triangles, 0, "charts of triangles")?,
             texel_charts: zeros(texels, 0, "charts of texels")?,

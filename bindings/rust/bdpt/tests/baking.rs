@@ -61,10 +61,11 @@ fn a_lightmap_measures_what_a_sky_sends() {
         .instance(open.floor)
         .output(Output::new(OutputKind::Irradiance))
         .output(Output::new(OutputKind::Openness));
-    let planes = measure(&scene, &map.create(&scene).unwrap(), 64);
+    let planes = measure(&scene, &map.create(&scene).unwrap(), 1024);
     assert_eq!(planes.len(), 2);
     for (irradiance, openness) in planes[0].pixels().iter().zip(planes[1].pixels()) {
-        assert!(near(irradiance[0], PI, 0.02) && near(openness[0], 1.0, 1e-5), "{irradiance:?} {openness:?}");
+        // After 1024 passes texels deviate by 0.06 %, root mean square.
+        assert!(near(irradiance[0], PI, 0.005) && near(openness[0], 1.0, 1e-5), "{irradiance:?} {openness:?}");
     }
 }
 

@@ -30,6 +30,8 @@ enum Fault {
     Nonsense,
     /// Leaves all outputs as they came.
     Idle,
+    /// Light that lands counts for nothing.
+    LandNowhere,
 }
 
 /// The light that falls on a square of side 2, whose front looks up: as power, and twice that.
@@ -97,7 +99,9 @@ impl Measurement for Square {
     }
     fn land(&self, landings: &[Landing], landed: &mut [Landed]) {
         self.fail(Fault::Land);
-        for (landing, landed) in landings.iter().zip(landed).filter(|_| self.fault != Fault::Idle) {
+        for (landing, landed) in
+            landings.iter().zip(landed).filter(|_| ![Fault::Idle, Fault::LandNowhere].contains(&self.fault))
+        {
             if landing.instance() == self.floor && landing.normal[1] * landing.direction[1] > 0.0 {
                 self.landings.fetch_add(1, Ordering::SeqCst);
                 landed.count_for(if self.fault == Fault::Nonsense { 1 << 40 } else { 0 });
@@ -196,6 +200,8 @@ fn a_panic_in_each_function_goes_on_where_the_call_was_made() {
             assert_eq!(*panic.downcast::<String>().unwrap(), format!("{fault:?}"));
             assert_eq!(setting.drops.drops(), 0);
         }
+        // The panic stopped the call, long before its end.
+        assert!(render.film().info().unwrap().passes < 64);
         // The render goes on when the fault is gone, and nothing of the panic is left.
         setting.armed.store(false, Ordering::SeqCst);
         let report = render.advance(Advance::passes(4)).unwrap();
@@ -254,7 +260,7 @@ fn a_panic_while_it_is_dropped_goes_on_there() {
     let sensor = setting.sensor(Fault::Drop);
     let clone = sensor.clone();
     drop(sensor);
-    let panic = catch_unwind(AssertUnwindSafe(|| drop(clone))).err().expect("a panic");
+    let panic = catch_unwind(AssertUnwindSafe(|| drop(clone))).expect_err("a panic");
     assert_eq!(*panic.downcast::<String>().unwrap(), "Drop");
     assert_eq!(setting.drops.drops(), 1);
     // And when it is refused.
@@ -280,6 +286,21 @@ fn functions_that_do_nothing_measure_nothing() {
     render.advance(Advance::passes(16)).unwrap();
     assert_eq!(value(&render, 0), 0.0);
     assert_eq!(setting.landings.load(Ordering::SeqCst), 0);
+}
+
+#[test]
+fn light_that_lands_counts_for_nothing_unless_it_is_told() {
+    let setting = Setting::new();
+    let measured = |fault| {
+        let sensor = setting.sensor(fault);
+        let film = Film::new(&sensor, &FilmOptions::default()).unwrap();
+        let options = RenderOptions::default().techniques(Techniques::only(2, 0));
+        let mut render = Render::new(&setting.scene, &sensor, film, &options).unwrap();
+        render.advance(Advance::passes(64)).unwrap();
+        value(&render, 0)
+    };
+    assert!(measured(Fault::Nothing) > 0.0);
+    assert_eq!(measured(Fault::LandNowhere), 0.0);
 }
 
 #[test]

@@ -14,6 +14,16 @@ pub mod token;
 
 use std::path::PathBuf;
 
+/// What docs/rust.md shows is run with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/rust.md")]
+pub struct Guide;
+
+/// As above.
+#[cfg(doctest)]
+#[doc = include_str!("../../bdpt/README.md")]
+pub struct Readme;
+
 /// The folder of the declarations.
 pub fn declarations() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../bdpt-sys/src"))
