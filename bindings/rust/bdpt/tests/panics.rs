@@ -370,7 +370,36 @@ fn in_the_drop_of_what_was_captured() {
     let bomb = Bomb(66);
     let log = move |_: LogLevel, _: &str| assert!(std::ptr::eq(&bomb, &bomb));
     assert_eq!(panic_of(|| ContextOptions::default().log(log).threads(1 << 30).create()), 66);
-    // While another panic is under way, this one is passed over.
+}
+
+/// Panics, and catches that, while it is dropped.
+struct Catches;
+impl Drop for Catches {
+    fn drop(&mut self) {
+        assert_eq!(panic_of(|| panic_any(1)), 1);
+    }
+}
+
+#[test]
+#[ignore = "what the next test asks the compiler"]
+fn a_panic_may_be_caught_during_another() {
+    quiet();
+    let both = || {
+        let _catches = Catches;
+        panic_any(2)
+    };
+    assert_eq!(panic_of(both), 2);
+}
+
+#[test]
+fn in_the_drop_of_what_was_captured_during_another_panic() {
+    // Old compilers end the process when a second panic begins, wherever it would be caught.
+    let ask = ["--ignored", "--exact", "a_panic_may_be_caught_during_another"];
+    let asked = std::process::Command::new(std::env::current_exe().unwrap()).args(ask).output().unwrap();
+    if !asked.status.success() {
+        return;
+    }
+    quiet();
     let context = ContextOptions::default().executor(Bomb(67)).create().unwrap();
     let both = move || {
         let _context = context;
