@@ -49,6 +49,23 @@ use std::ptr::null;
 /// };
 /// # drop(advance);
 /// ```
+/// and the film that they see does not:
+/// ```compile_fail,E0521
+/// # use bdpt::{Advance, Film};
+/// let mut kept: Option<&Film> = None;
+/// let advance = Advance::passes(1).progress(|now| kept = Some(now.film));
+/// # drop(advance);
+/// ```
+/// nor does it go to another thread:
+/// ```compile_fail,E0277
+/// # use bdpt::Advance;
+/// let advance = Advance::passes(1).progress(|now| {
+///     std::thread::scope(|scope| {
+///         scope.spawn(|| println!("{:?}", now.film));
+///     });
+/// });
+/// # drop(advance);
+/// ```
 #[derive(Default)]
 pub struct Advance<'a> {
     passes: u64,

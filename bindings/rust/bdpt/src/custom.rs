@@ -42,6 +42,18 @@ use std::os::raw::c_void;
 /// # let _ = sensor;
 /// # Ok(()) }
 /// ```
+///
+/// As all threads call it, what only one may use cannot be part of it:
+///
+/// ```compile_fail,E0277
+/// # use bdpt::{Measurement, Start};
+/// struct Counting(std::cell::Cell<u64>);
+/// impl Measurement for Counting {
+///     fn start(&self, measurements: &[u64], _: &[[f32; 4]], _: &mut [Start]) {
+///         self.0.set(self.0.get() + measurements.len() as u64);
+///     }
+/// }
+/// ```
 pub trait Measurement: Send + Sync + 'static {
     /// Which of the functions below there are, beside [`start`](Self::start). What is left out leaves out the
     /// techniques that need it; the weights know.

@@ -70,6 +70,13 @@ const SLACK: usize = 16;
 /// assert_eq!([owned.len(), half.len(), positions.len(), normals.len()], [100; 4]);
 /// # Ok(()) }
 /// ```
+///
+/// What is kept cannot be borrowed:
+/// ```compile_fail,E0597
+/// let positions = vec![[0.0_f32; 3]; 100];
+/// let mesh = bdpt::Mesh::new(bdpt::Data::from_owner(&positions));
+/// # drop(mesh);
+/// ```
 pub struct Data<T: Element> {
     storage: Storage<T>,
 }

@@ -27,6 +27,21 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// assert_eq!(context.info()?.threads, 1);
 /// # Ok(()) }
 /// ```
+///
+/// The bodies cannot be kept beyond the call:
+/// ```compile_fail,E0521
+/// # use std::sync::Mutex;
+/// type Body = &'static (dyn Fn(u32) + Sync);
+/// struct Keeps(Mutex<Option<Body>>);
+/// impl bdpt::Executor for Keeps {
+///     fn worker_count(&self) -> u32 {
+///         1
+///     }
+///     fn run(&self, n: u32, body: &(dyn Fn(u32) + Sync)) {
+///         *self.0.lock().unwrap() = Some(body);
+///     }
+/// }
+/// ```
 pub trait Executor: Send + Sync {
     /// How many bodies may run at once, 1 to 4096.
     fn worker_count(&self) -> u32;

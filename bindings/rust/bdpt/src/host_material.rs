@@ -64,6 +64,21 @@ pub struct Scattering {
 /// builder.add_material(bdpt::Material::host(Chalk, [0.7; 3]))?;
 /// # Ok(()) }
 /// ```
+///
+/// What it borrows would have to live as long as the last scene that has it, which nobody knows:
+/// ```compile_fail,E0597
+/// # use bdpt::{Material, HostMaterial, Scattering, ScatteringPlace};
+/// struct Borrows<'a>(&'a [f32]);
+/// impl HostMaterial for Borrows<'_> {
+/// #   fn evaluate(&self, _: &ScatteringPlace, _: [f32; 3]) -> Scattering { Scattering::default() }
+/// #   fn sample(&self, _: &ScatteringPlace, _: [f32; 3]) -> Option<[f32; 3]> { None }
+/// #   fn hash(&self) -> u64 { 0 }
+///     // ...
+/// }
+/// let table = vec![0.5];
+/// let material = Material::host(Borrows(&table), [0.5; 3]);
+/// # drop(material);
+/// ```
 pub trait HostMaterial: Send + Sync {
     /// How light is scattered between the two directions.
     fn evaluate(&self, place: &ScatteringPlace, next: [f32; 3]) -> Scattering;

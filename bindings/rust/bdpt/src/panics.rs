@@ -77,11 +77,16 @@ pub(crate) fn is_set_here() -> bool {
     !frame.is_null() && unsafe { &*frame }.payload.borrow().is_some()
 }
 
-/// Drops a payload whose own drop may panic.
-pub(crate) fn discard(payload: Payload) {
-    if let Err(again) = catch_unwind(AssertUnwindSafe(|| drop(payload))) {
-        std::mem::forget(again);
+/// Drops a payload whose own drop may panic, again and again.
+pub(crate) fn discard(mut payload: Payload) {
+    for _ in 0..16 {
+        match catch_unwind(AssertUnwindSafe(|| drop(payload))) {
+            Ok(()) => return,
+            Err(again) => payload = again,
+        }
     }
+    // One that never ends is left where it is.
+    std::mem::forget(payload);
 }
 
 /// The first payload of an object's callbacks on threads of the library's own. Copies share it.

@@ -37,6 +37,15 @@ use std::sync::{Mutex, PoisonError};
 /// });
 /// # }
 /// ```
+///
+/// Whoever holds its film waits with the next pass:
+/// ```compile_fail,E0502
+/// # fn f(mut render: bdpt::Render) -> bdpt::Result<()> {
+/// let film = render.film();
+/// render.advance(bdpt::Advance::passes(1))?;
+/// println!("{:?}", film.info());
+/// # Ok(()) }
+/// ```
 pub struct Render {
     // Destroyed before the film, which it holds, is released.
     raw: Handle<sys::bdpt_render>,

@@ -31,7 +31,12 @@ pub struct FixSeams {
     max_iterations: u32,
 }
 
-/// An atlas' pixels.
+/// An atlas' pixels. Two atlases cannot share them:
+///
+/// ```compile_fail,E0499
+/// let mut texels = vec![0.0; 64];
+/// let images = [bdpt::AtlasImage::new(8, 8, &mut texels), bdpt::AtlasImage::new(8, 8, &mut texels)];
+/// ```
 #[derive(Debug)]
 pub struct AtlasImage<'a> {
     width: u32,

@@ -179,6 +179,19 @@ impl TexturePlace {
 /// builder.add_material(bdpt::Material::diffuse([1.0; 3]).reflectance_texture(stripes))?;
 /// # Ok(()) }
 /// ```
+///
+/// What it has may be used by several threads:
+/// ```compile_fail,E0277
+/// struct Counts(std::cell::Cell<u32>);
+/// impl bdpt::HostTexture for Counts {
+///     fn look_up(&self, _: &[bdpt::TexturePlace], _: &mut [[f32; 4]]) {
+///         self.0.set(self.0.get() + 1);
+///     }
+///     fn hash(&self) -> u64 {
+///         1
+///     }
+/// }
+/// ```
 pub trait HostTexture: Send + Sync {
     /// Fills red, green, blue and alpha of each place; linear, in the rendering space. A colour that is negative, above
     /// [`maximum`](Self::maximum), not finite, or left as it came, ends the subpath there: it is counted as rejected.

@@ -22,6 +22,16 @@ use std::os::raw::c_void;
 /// assert_eq!((report.charts, report.overlaps_between), (2, 0));
 /// # Ok(()) }
 /// ```
+///
+/// It must not outlive what it borrows:
+///
+/// ```compile_fail,E0597
+/// let instance = {
+///     let mesh = bdpt::Mesh::new(vec![[0.0; 3]; 3]);
+///     bdpt::UvInstance::from(&mesh)
+/// };
+/// # bdpt::UvCheck::new(1, 1).run(&[instance]).ok();
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct UvInstance<'a> {
     /// Only looked at: the library copies nothing of it, and calls no release.

@@ -204,6 +204,38 @@ fn in_a_host_texture() {
     }
 }
 
+/// Panics on all threads but one.
+struct NotHere(std::thread::ThreadId);
+impl HostTexture for NotHere {
+    fn look_up(&self, _: &[TexturePlace], colors: &mut [[f32; 4]]) {
+        if std::thread::current().id() != self.0 {
+            panic_any(31)
+        }
+        colors.fill([0.7, 0.7, 0.7, 1.0]);
+    }
+    fn hash(&self) -> u64 {
+        31
+    }
+}
+
+#[test]
+fn on_a_thread_of_the_librarys() {
+    quiet();
+    let context = threads(2);
+    if context.info().unwrap().threads < 2 {
+        return; // a machine of one core
+    }
+    let scene = scene_with(&context, |builder| {
+        let texture = builder.add_host_texture(NotHere(std::thread::current().id()))?;
+        builder.add_material(Material::diffuse([1.0; 3]).reflectance_texture(texture))
+    });
+    let mut render = render_of(&scene.unwrap()).unwrap();
+    assert_eq!(panic_of(|| render.advance(Advance::passes(1_000_000))), 31);
+    // The payload went with it.
+    render.film().info().unwrap();
+    render.stats().unwrap();
+}
+
 /// A material that panics while the flag is set: in one function or the other.
 struct FuseMaterial(Arc<AtomicU32>, Chalk);
 impl HostMaterial for FuseMaterial {
@@ -264,10 +296,17 @@ fn in_a_log() {
     let shape = builder.add_mesh(flat()).unwrap();
     let clay = builder.add_material(Material::diffuse([0.5; 3])).unwrap();
     builder.add_instance(&Instance::new(shape, clay)).unwrap();
+    let drops = Drops::new();
+    let grey = builder.add_host_texture(Grey(0.5, Some(drops.one()))).unwrap();
+    let clay = builder.add_material(Material::diffuse([1.0; 3]).reflectance_texture(grey)).unwrap();
+    builder.add_instance(&Instance::new(shape, clay)).unwrap();
     fuse.store(true, Ordering::SeqCst);
     assert_eq!(panic_of(|| builder.build()), 50);
     fuse.store(false, Ordering::SeqCst);
-    assert_eq!(builder.build().unwrap().info().unwrap().triangles, 1);
+    assert_eq!(builder.build().unwrap().info().unwrap().triangles, 2);
+    // The scene that was built when the log panicked is gone, too.
+    drop(builder);
+    assert_eq!(drops.count(), 1);
 }
 
 /// Panics when it is dropped.
@@ -331,7 +370,36 @@ fn in_the_drop_of_what_was_captured() {
     let bomb = Bomb(66);
     let log = move |_: LogLevel, _: &str| assert!(std::ptr::eq(&bomb, &bomb));
     assert_eq!(panic_of(|| ContextOptions::default().log(log).threads(1 << 30).create()), 66);
-    // While another panic is under way, this one is passed over.
+}
+
+/// Panics, and catches that, while it is dropped.
+struct Catches;
+impl Drop for Catches {
+    fn drop(&mut self) {
+        assert_eq!(panic_of(|| panic_any(1)), 1);
+    }
+}
+
+#[test]
+#[ignore = "what the next test asks the compiler"]
+fn a_panic_may_be_caught_during_another() {
+    quiet();
+    let both = || {
+        let _catches = Catches;
+        panic_any(2)
+    };
+    assert_eq!(panic_of(both), 2);
+}
+
+#[test]
+fn in_the_drop_of_what_was_captured_during_another_panic() {
+    // Old compilers end the process when a second panic begins, wherever it would be caught.
+    let ask = ["--ignored", "--exact", "a_panic_may_be_caught_during_another"];
+    let asked = std::process::Command::new(std::env::current_exe().unwrap()).args(ask).output().unwrap();
+    if !asked.status.success() {
+        return;
+    }
+    quiet();
     let context = ContextOptions::default().executor(Bomb(67)).create().unwrap();
     let both = move || {
         let _context = context;

@@ -23,7 +23,7 @@ fn arrays_are_the_same_however_they_are_given() {
     }
     let mut roomy = Vec::with_capacity(99);
     roomy.extend(CORNERS);
-    let longer: Vec<_> = CORNERS.iter().chain(&[[7.0; 3]; 2]).copied().collect();
+    let longer: Vec<_> = [[8.0; 3]].into_iter().chain(CORNERS).chain([[7.0; 3]; 2]).collect();
     let positions: Vec<Data<[f32; 3]>> = vec![
         CORNERS.into(),
         (&CORNERS).into(),
@@ -32,7 +32,7 @@ fn arrays_are_the_same_however_they_are_given() {
         roomy.into(),
         shared.into(),
         Data::from_owner(CORNERS.to_vec()),
-        Data::range(longer, 0..4).unwrap(),
+        Data::range(longer, 1..5).unwrap(),
         Data::interleaved(flat, 1, 5).unwrap(),
     ];
     let hash = info_of(square()).hash;

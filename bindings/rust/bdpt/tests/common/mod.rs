@@ -118,7 +118,8 @@ pub fn camera() -> Camera {
 pub fn render_of(scene: &Scene) -> Result<Render> {
     let sensor = camera().create(scene.context())?;
     let film = Film::new(&sensor, &FilmOptions::default())?;
-    Ok(Render::new(scene, &sensor, film, &RenderOptions::new().seed(5))?)
+    // Several blocks, so that there is work for several threads.
+    Ok(Render::new(scene, &sensor, film, &RenderOptions::new().seed(5).block_size(16))?)
 }
 
 pub fn render(context: &Context) -> Result<Render> {
