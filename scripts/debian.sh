@@ -3,7 +3,7 @@
 # What a build needs, and what the tests need beyond that.
 build_packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libimath-dev libopenexr-dev libopencolorio-dev
   libpng-dev libjpeg-dev libcli11-dev libtinygltf-dev nlohmann-json3-dev libdraco-dev)
-test_packages=(libgtest-dev libbenchmark-dev clang abigail-tools python3)
+test_packages=(libgtest-dev libbenchmark-dev clang abigail-tools python3 cargo valgrind)
 
 install_packages() {
   if ! command -v apt-get > /dev/null; then
