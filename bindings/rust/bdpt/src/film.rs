@@ -35,6 +35,9 @@ use std::path::Path;
 pub struct Film {
     raw: Handle<sys::bdpt_film>,
     context: Context,
+    // Kept, for to ask the library for it costs an estimate of the noise.
+    width: u32,
+    height: u32,
 }
 
 impl Film {
@@ -45,8 +48,9 @@ impl Film {
             // SAFETY: the sensor is alive, and the description lives until the call returns.
             |raw| unsafe { sys::bdpt_film_create(sensor.as_ptr(), &options.raw, raw) },
             // SAFETY: the call gave one reference.
-            |raw| Self { raw: unsafe { Handle::new(raw) }, context: sensor.context().clone() },
-        )
+            |raw| Self { raw: unsafe { Handle::new(raw) }, context: sensor.context().clone(), width: 0, height: 0 },
+        )?
+        .with_size()
     }
     /// What a film and its render will take, before there is one.
     pub fn estimate(sensor: &Sensor, options: &FilmOptions) -> Result<MemoryEstimate> {
@@ -63,8 +67,13 @@ impl Film {
             // SAFETY: context and path live until the call returns.
             |raw| unsafe { sys::bdpt_film_load(context.as_ptr(), path.as_ptr(), raw) },
             // SAFETY: the call gave one reference.
-            |raw| Self { raw: unsafe { Handle::new(raw) }, context: context.clone() },
-        )
+            |raw| Self { raw: unsafe { Handle::new(raw) }, context: context.clone(), width: 0, height: 0 },
+        )?
+        .with_size()
+    }
+    fn with_size(self) -> Result<Self> {
+        let FilmInfo { width, height, .. } = self.info()?;
+        Ok(Self { width, height, ..self })
     }
     /// What it was made in.
     pub fn context(&self) -> &Context {
@@ -105,8 +114,7 @@ impl Film {
     /// Reads a layer into a picture of its own.
     pub fn read(&self, options: impl Into<ReadOptions>) -> Result<Image> {
         let options = ReadOptions { row_stride: 0, ..options.into() };
-        let [x0, y0, x1, y1] = options.raw.rect;
-        let (width, height) = self.size_of(Rect::new(x0, y0, x1, y1))?;
+        let (width, height) = self.size_of(options.raw.rect);
         let mut image = Image::new(width, height)?;
         self.read_into(&options, image.as_floats_mut())?;
         Ok(image)
@@ -131,8 +139,7 @@ impl Film {
     }
     /// Reads whose surfaces the samples of each pixel met.
     pub fn read_coverage(&self, options: &CoverageOptions) -> Result<Coverage> {
-        let [x0, y0, x1, y1] = options.raw.rect;
-        let (width, height) = self.size_of(Rect::new(x0, y0, x1, y1))?;
+        let (width, height) = self.size_of(options.raw.rect);
         let ranks = options.raw.ranks.min(8);
         // At most 65536 x 65536 x 8.
         let entries = u64::from(width) * u64::from(height) * u64::from(ranks);
@@ -151,14 +158,14 @@ impl Film {
     }
     /// Of a rectangle within the film, of the film where it is empty, and nothing where it is neither: the library
     /// refuses such.
-    fn size_of(&self, rect: Rect) -> Result<(u32, u32)> {
-        let info = self.info()?;
+    fn size_of(&self, [x0, y0, x1, y1]: [u32; 4]) -> (u32, u32) {
+        let rect = Rect::new(x0, y0, x1, y1);
         if rect == Rect::default() {
-            Ok((info.width, info.height))
-        } else if rect.x1 <= info.width && rect.y1 <= info.height {
-            Ok((rect.width(), rect.height()))
+            (self.width, self.height)
+        } else if rect.x1 <= self.width && rect.y1 <= self.height {
+            (rect.width(), rect.height())
         } else {
-            Ok((0, 0))
+            (0, 0)
         }
     }
 

@@ -153,9 +153,18 @@ impl Panics {
         own.or_else(|| self.0.outer.iter().flatten().find_map(Panics::take))
     }
 
-    /// Goes on with a panic that was kept: that of this thread's call, or one of another thread.
+    /// Goes on with a panic that was kept: that of this thread's call, or one of another thread. No other is left for
+    /// the next call, which would have nothing to do with it.
     pub(crate) fn resume(&self, here: Option<Payload>) {
-        if let Some(payload) = here.or_else(|| self.take()) {
+        let mut first = here;
+        while let Some(payload) = self.take() {
+            if first.is_none() {
+                first = Some(payload);
+            } else {
+                discard(payload);
+            }
+        }
+        if let Some(payload) = first {
             resume_unwind(payload);
         }
     }

@@ -236,6 +236,43 @@ fn on_a_thread_of_the_librarys() {
     render.stats().unwrap();
 }
 
+/// Panics when two threads are in it, or after a while.
+struct Together(Arc<AtomicBool>, AtomicU32);
+impl HostTexture for Together {
+    fn look_up(&self, _: &[TexturePlace], colors: &mut [[f32; 4]]) {
+        if self.0.load(Ordering::SeqCst) {
+            self.1.fetch_add(1, Ordering::SeqCst);
+            for _ in 0..2000 {
+                if self.1.load(Ordering::SeqCst) >= 2 {
+                    break;
+                }
+                std::thread::sleep(std::time::Duration::from_millis(1));
+            }
+            panic_any(32)
+        }
+        colors.fill([0.7, 0.7, 0.7, 1.0]);
+    }
+    fn hash(&self) -> u64 {
+        32
+    }
+}
+
+#[test]
+fn on_two_threads_at_once() {
+    quiet();
+    let context = threads(2);
+    let fuse = Arc::new(AtomicBool::new(true));
+    let scene = scene_with(&context, |builder| {
+        let texture = builder.add_host_texture(Together(fuse.clone(), AtomicU32::new(0)))?;
+        builder.add_material(Material::diffuse([1.0; 3]).reflectance_texture(texture))
+    });
+    let mut render = render_of(&scene.unwrap()).unwrap();
+    assert_eq!(panic_of(|| render.advance(Advance::passes(1))), 32);
+    // The other one is not left for the next call.
+    fuse.store(false, Ordering::SeqCst);
+    finishes(&mut render, 2);
+}
+
 /// A material that panics while the flag is set: in one function or the other.
 struct FuseMaterial(Arc<AtomicU32>, Chalk);
 impl HostMaterial for FuseMaterial {
