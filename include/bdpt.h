@@ -1386,7 +1386,7 @@ typedef struct bdpt_film_info {
   uint32_t coverages;      /* outputs of coverage */
 } bdpt_film_info;
 
-/* Tells what a film holds.
+/* Tells what a film holds. relative_error takes as long as reading the image.
  * Returns: BDPT_ERROR_INVALID_ARGUMENT. Threads: one thread per object. Callbacks: allowed.
  * Ownership: copies into *info. */
 BDPT_API BDPT_CHECK bdpt_result bdpt_film_get_info(const bdpt_film *film, bdpt_film_info *info);
@@ -1647,7 +1647,8 @@ typedef struct bdpt_advance_report {
   uint64_t passes;        /* whole passes finished by this call */
   uint64_t next_pass;     /* the first pass that is not finished */
   double seconds;
-  double relative_error;  /* of the film now; -1 while unknown */
+  double relative_error;  /* of the film now, where the call has a limit of noise; else, and while unknown, -1:
+                             bdpt_film_info has it */
 } bdpt_advance_report;
 
 /* Samples passes until a limit is reached; the first one reached counts, and at least one must be set. It blocks, with

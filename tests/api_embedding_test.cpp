@@ -5,7 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cfenv>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -54,6 +57,91 @@ void in_child(const std::function<void()>& body) {
 }
 
 #if defined(__SSE2__)
+struct ModesSeen {
+  std::atomic<int> calls{0}, others{0};
+  void look() {
+    ++calls;
+    if ((_mm_getcsr() & ~0x3fu) != 0x1f80u) ++others;  // but for the flags of what has happened
+  }
+};
+
+TEST(ApiEmbedding, FunctionsOfTheHostsRunInTheFloatingPointModeInWhichProgramsStart) {
+  ModesSeen texture, material, start, respond;
+  const Context context = make_context();
+  const Builder builder = make_builder(context.get());
+  const Contents contents(builder.get());
+
+  bdpt_host_texture_desc pattern = make<bdpt_host_texture_desc>();
+  pattern.user = &texture;
+  pattern.look_up = [](void* user, uint32_t count, const bdpt_texture_place*, float(*colors)[4]) {
+    static_cast<ModesSeen*>(user)->look();
+    for (uint32_t i = 0; i < count; ++i) std::fill_n(colors[i], 4, 0.5f);
+    return int32_t(0);
+  };
+  bdpt_texture_use use = make<bdpt_texture_use>();
+  ASSERT_OK(bdpt_host_texture_add(builder.get(), &pattern, &use.texture));
+  bdpt_host_material host = make<bdpt_host_material>();
+  host.user = &material;
+  host.evaluate = [](void* user, const bdpt_scattering_place* place, const float next[3], bdpt_scattering_value* v) {
+    static_cast<ModesSeen*>(user)->look();
+    v->f[0] = v->f[1] = v->f[2] = 0.1f * place->reflectance[0];
+    v->density = std::fabs(next[2]) / float(M_PI);
+    v->density_reverse = std::fabs(place->previous[2]) / float(M_PI);
+    return int32_t(0);
+  };
+  host.sample = [](void* user, const bdpt_scattering_place* place, const float u[3], float next[3]) {
+    static_cast<ModesSeen*>(user)->look();
+    const float r = std::sqrt(u[0]), phi = float(2 * M_PI) * u[1];
+    next[0] = r * std::cos(phi), next[1] = r * std::sin(phi);
+    next[2] = std::copysign(std::sqrt(1 - u[0]), place->previous[2]);
+    return int32_t(0);
+  };
+  bdpt_material_desc desc = make<bdpt_material_desc>();
+  desc.type = BDPT_MATERIAL_HOST;
+  for (float& v : desc.reflectance) v = 1;
+  desc.host = &host;
+  desc.textures = &use, desc.texture_count = 1;
+  ASSERT_OK(bdpt_material_update(builder.get(), contents.grey, &desc));
+  const Scene scene = build(builder.get());
+
+  const Sensor camera = make_camera(context.get());
+  const Film film = make_film(camera.get());
+  const Render render = make_render(scene.get(), camera.get(), film.get());
+  const bdpt_advance_desc advance = passes(2);
+  ASSERT_OK(bdpt_render_advance(render.get(), &advance, nullptr));
+
+  struct Both {
+    ModesSeen *start, *respond;
+  } both{&start, &respond};
+  bdpt_custom_desc custom = make<bdpt_custom_desc>();
+  custom.measurements = 16;
+  custom.user = &both;
+  custom.start = [](void* user, uint32_t n, const uint64_t*, const float(*)[4], bdpt_measurement_start* starts) {
+    static_cast<Both*>(user)->start->look();
+    for (uint32_t i = 0; i < n; ++i) {
+      starts[i].position[2] = starts[i].direction[2] = 1;
+      starts[i].weight = starts[i].density_position = starts[i].density_direction = 1;
+    }
+    return int32_t(0);
+  };
+  custom.respond = [](void* user, uint32_t n, const bdpt_measurement_place*, float* responses) {
+    static_cast<Both*>(user)->respond->look();
+    std::fill_n(responses, n, 1.0f);
+    return int32_t(0);
+  };
+  bdpt_sensor* created = nullptr;
+  ASSERT_OK(bdpt_custom_create(context.get(), &custom, &created));
+  const Sensor sensor(created);
+  const Film measured = make_film(sensor.get());
+  const Render measuring = make_render(scene.get(), sensor.get(), measured.get());
+  ASSERT_OK(bdpt_render_advance(measuring.get(), &advance, nullptr));
+
+  for (const ModesSeen* seen : {&texture, &material, &start, &respond}) {
+    EXPECT_GT(seen->calls, 0);
+    EXPECT_EQ(0, seen->others);
+  }
+}
+
 TEST(ApiEmbedding, TheCallersFloatingPointModeIsItsOwnAlsoInsideCallbacks) {
   const unsigned before = _mm_getcsr();
   for (const unsigned mode : {0x1f80u, 0x3f80u, 0x9fc0u}) {  // as it is, rounding down, and with FTZ and DAZ

@@ -194,7 +194,9 @@ static void render_passes(bdpt_scene *scene, bdpt_sensor *camera, bdpt_film *fil
     check(result, "render");
     round.done += report.passes;
     fprintf(stderr, "\rpass %llu of %llu", (unsigned long long)round.done, (unsigned long long)passes);
-    if (report.relative_error >= 0) fprintf(stderr, ", relative error %.1f %% ", 100 * report.relative_error);
+    bdpt_film_info info = {.struct_size = sizeof info};
+    check(bdpt_film_get_info(film, &info), "look at the film");
+    if (info.relative_error >= 0) fprintf(stderr, ", relative error %.1f %% ", 100 * info.relative_error);
     write_picture(path, film, size);
   }
 

@@ -49,14 +49,15 @@ AdvanceDesc to_engine(const bdpt_advance_desc& desc, HostCalls& calls, Output& o
   return advance;
 }
 
-void write_report(const AdvanceReport& from, const Film& film, bdpt_advance_report* report) {
+void write_report(const AdvanceReport& from, const bdpt_advance_desc& desc, const Film& film,
+                  bdpt_advance_report* report) {
   if (!report) return;
   bdpt_advance_report result{};
   result.reason = static_cast<bdpt_stop_reason>(from.reason);
   result.passes = from.passes;
   result.next_pass = from.next_pass;
   result.seconds = from.seconds;
-  result.relative_error = film.relative_error();
+  result.relative_error = desc.noise > 0 ? film.relative_error() : -1;  // it takes as long as reading the image
   write_struct(result, report);
 }
 
@@ -77,7 +78,7 @@ bdpt_result bdpt_render_advance(bdpt_render* render, const bdpt_advance_desc* de
     AdvanceReport done = r.render->advance(to_engine(d, calls, output));
     output.finish();
     if (calls.failed()) done.reason = StopReason::Callback;
-    write_report(done, film, report);
+    write_report(done, d, film, report);
     calls.check();
     return bdpt_result(done.reason == StopReason::Cancelled ? BDPT_CANCELLED : BDPT_OK);
   });

@@ -5,6 +5,7 @@
 #include "api/handles.h"
 #include "api/host_calls.h"
 #include "film/film.h"
+#include "render/float_mode.h"
 
 using namespace bdpt;
 
@@ -25,7 +26,7 @@ class HostMeasurement final : public Measurement {
 
   void start(uint32_t n, const uint64_t* measurements, const float (*numbers)[4], EyeStart* starts) const override {
     std::vector<bdpt_measurement_start> given(n);
-    check(desc_.start(desc_.user, n, measurements, numbers, given.data()), "start");
+    call("start", [&] { return desc_.start(desc_.user, n, measurements, numbers, given.data()); });
     for (uint32_t i = 0; i < n; ++i) {
       const bdpt_measurement_start& g = given[i];
       EyeStart& s = starts[i];
@@ -39,12 +40,12 @@ class HostMeasurement final : public Measurement {
   float density(uint64_t measurement, const SensorPlace& place, const Vec3& w) const override {
     const bdpt_measurement_place p = place_of(measurement, place, w);
     float density = 0;
-    check(desc_.density(desc_.user, 1, &p, &density), "density");
+    call("density", [&] { return desc_.density(desc_.user, 1, &p, &density); });
     return density;
   }
   void respond(uint64_t measurement, const SensorPlace& place, const Vec3& w, float* response) const override {
     const bdpt_measurement_place p = place_of(measurement, place, w);
-    check(desc_.respond(desc_.user, 1, &p, response), "respond");
+    call("respond", [&] { return desc_.respond(desc_.user, 1, &p, response); });
   }
   bool land(const Landing& landing, uint64_t& measurement, SensorPoint& z0) const override {
     bdpt_measurement_landing l{};
@@ -52,7 +53,7 @@ class HostMeasurement final : public Measurement {
     l.triangle = landing.primitive, l.u = landing.u, l.v = landing.v;
     copy(landing.p, l.position), copy(landing.ng, l.normal), copy(-landing.direction, l.direction);
     bdpt_measurement_landed landed{};
-    check(desc_.land(desc_.user, 1, &l, &landed), "land");
+    call("land", [&] { return desc_.land(desc_.user, 1, &l, &landed); });
     if (landed.measurement >= desc_.measurements) return false;
     measurement = landed.measurement;
     z0.normal = to_vec3(landed.normal);
@@ -62,8 +63,11 @@ class HostMeasurement final : public Measurement {
   }
 
  private:
-  static void check(int32_t result, const char* name) {
-    if (result != 0) fail(ErrorCode::CallbackFailed, "the measurement's function ", name, " returned ", result);
+  template <class Call>
+  static void call(const char* name, Call&& function) {
+    const HostFloatMode mode;
+    if (const int32_t result = function(); result != 0)
+      fail(ErrorCode::CallbackFailed, "the measurement's function ", name, " returned ", result);
   }
   static bdpt_measurement_place place_of(uint64_t measurement, const SensorPlace& place, const Vec3& w) {
     bdpt_measurement_place p{};

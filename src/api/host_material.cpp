@@ -1,6 +1,7 @@
 #include "api/host_material.h"
 
 #include "api/desc.h"
+#include "render/float_mode.h"
 
 namespace bdpt {
 namespace {
@@ -27,6 +28,7 @@ class HostFunctions final : public HostMaterial {
     float direction[3];
     copy(next, direction);
     bdpt_scattering_value v{};
+    const HostFloatMode mode;
     if (desc_.evaluate(desc_.user, &place, direction, &v) != 0) return false;
     value = {to_rgb(v.f), v.density, v.density_reverse};
     return true;
@@ -35,6 +37,7 @@ class HostFunctions final : public HostMaterial {
               Vec3& next) const override {
     const bdpt_scattering_place place = place_of(m, reflectance, previous);
     float direction[3] = {};
+    const HostFloatMode mode;
     if (desc_.sample(desc_.user, &place, u, direction) != 0) return false;
     next = to_vec3(direction);
     return true;

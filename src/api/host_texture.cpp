@@ -5,6 +5,7 @@
 #include "api/check.h"
 #include "api/desc.h"
 #include "api/host_calls.h"
+#include "render/float_mode.h"
 
 #include <vector>
 
@@ -37,6 +38,7 @@ class HostFunction final : public HostTexture {
  private:
   std::string name() const { return Subject("texture", label.c_str()).name(); }
   int32_t call(const std::vector<bdpt_texture_place>& places, float (*colors)[4]) const {
+    const HostFloatMode mode;
     try {
       return desc_.look_up(desc_.user, uint32_t(places.size()), places.data(), colors);
     } catch (...) {

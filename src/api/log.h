@@ -2,6 +2,7 @@
 #pragma once
 
 #include "api/host_calls.h"
+#include "render/float_mode.h"
 
 #include <sstream>
 
@@ -29,6 +30,7 @@ class Log {
     try {
       std::ostringstream text;
       (text << ... << parts);
+      const HostFloatMode mode;
       write_(user_, level, text.str().c_str());
     } catch (...) {
     }

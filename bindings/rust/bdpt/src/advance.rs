@@ -192,7 +192,8 @@ pub struct AdvanceReport {
     pub next_pass: u64,
     /// How long it took.
     pub seconds: f64,
-    /// Of the film now; `None` while fewer than two of its groups hold passes.
+    /// Of the film now, where the call has a limit of noise; `None` else, and while fewer than two of the film's groups
+    /// hold passes: [`FilmInfo`](crate::FilmInfo) has it.
     pub relative_error: Option<f64>,
 }
 
