@@ -8,4 +8,8 @@ export CARGO_TARGET_DIR=$BDPT_BINARY_DIR/rust-vendored RUSTFLAGS="-D warnings" R
 export BDPT_CODE_ISAS=baseline  # one is enough to see that it works
 cd "$BDPT_SOURCE_DIR/bindings/rust"
 cargo test --quiet --locked -p bdpt-sys -p bdpt --features bdpt/vendored,bdpt/ndarray
+
+# What was built for them is a static library that any program can link.
+installed=$(dirname "$(dirname "$(find "$CARGO_TARGET_DIR/debug/build" -path '*/install/lib/libbdpt.a' | head -1)")")
+"$BDPT_SOURCE_DIR/scripts/check-package" "$installed" static
 cargo doc --quiet --locked --no-deps -p bdpt-sys -p bdpt --features bdpt/vendored,bdpt/ndarray

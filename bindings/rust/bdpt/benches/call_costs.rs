@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //! What calls cost from Rust, as benchmarks/call_costs.cpp measures it from C: 8 passes of 256 x 256 pixels in one call,
 //! in 8 calls, and with the image sent by tiles after each pass, on one thread. Medians of the ratios of each turn.
+//!
+//!     cargo bench --bench call_costs -- [TURNS]
 
 use bdpt::*;
 use std::time::Instant;
@@ -32,7 +34,7 @@ fn room(context: &Context) -> Result<Scene> {
 }
 
 fn main() -> Result<()> {
-    let turns: usize = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(15);
+    let turns: usize = std::env::args().find_map(|text| text.parse().ok()).unwrap_or(15);
     let context = ContextOptions::default().threads(1).create()?;
     let scene = room(&context)?;
     let at = Transform::translate([0.0, 1.0, 3.6]);
