@@ -72,7 +72,7 @@ bdpt_result bdpt_render_advance(bdpt_render* render, const bdpt_advance_desc* de
     const Film& film = *r.film->film;
     const bdpt_advance_desc d = read_advance(desc, film);
     HostCalls calls;
-    Output output(d.sink, film, calls);
+    Output output(d.sink, film, calls, *r.context->executor);
     const Ref<bdpt_cancel> cancel(d.cancel);  // the host's callbacks may release theirs
     const Busy::Mark render_mark(r.busy), film_mark(r.film->busy);
     AdvanceReport done = r.render->advance(to_engine(d, calls, output));

@@ -4,7 +4,7 @@ namespace bdpt {
 
 namespace {
 
-constexpr uint32_t kDefaultGroups = 2, kMaxGroups = 16, kMaxPyramidEdges = 15;
+constexpr uint32_t kDefaultGroups = 2, kMaxPyramidEdges = 15;
 
 FilterDesc read_filter(const Subject& subject, const bdpt_film_desc& desc) {
   subject.check_enum("filter", desc.filter, BDPT_FILTER_BLACKMAN_HARRIS);
@@ -35,7 +35,7 @@ FilmDesc read_film(const bdpt_film_desc& desc, const SensorShape& sensor) {
   film.filter = read_filter(subject, desc);
   subject.check_enum("normalization", desc.normalization, BDPT_NORMALIZATION_SAMPLE_COUNT);
   film.normalize_by_weights = desc.normalization == BDPT_NORMALIZATION_FILTER_WEIGHTS_BIASED;
-  if (desc.groups > kMaxGroups) subject.check_range("groups", desc.groups, 1, kMaxGroups);
+  if (desc.groups > uint32_t(kMaxGroups)) subject.check_range("groups", desc.groups, 1, kMaxGroups);
   film.groups = int(desc.groups == 0 ? kDefaultGroups : desc.groups);
   subject.check_range("pyramid_edges", desc.pyramid_edges, 0, kMaxPyramidEdges);
   film.pyramid_edges = int(desc.pyramid_edges);

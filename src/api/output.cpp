@@ -1,21 +1,22 @@
 #include "api/output.h"
 
 #include "api/desc.h"
+#include "render/float_mode.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace bdpt {
-namespace {
-
-constexpr int kTile = 64;
-
-}  // namespace
-
-Output::Output(const bdpt_output_sink* sink, const Film& film, HostCalls& calls) : film_(film), calls_(calls) {
+Output::Output(const bdpt_output_sink* sink, const Film& film, HostCalls& calls, Executor& executor)
+    : film_(film),
+      calls_(calls),
+      executor_(executor),
+      columns_((film.desc().width + kTile - 1) / kTile),
+      rows_((film.desc().height + kTile - 1) / kTile) {
   if (!sink) return;
   sink_ = read_struct(sink, "desc.sink");
   require(sink_.tile, "desc.sink.tile");
-  tile_.resize(size_t(kTile) * kTile * 3);
+  batch_.resize(size_t(std::min(kBatch, columns_ * rows_)) * kTile * kTile * 3);
 }
 
 bool Output::pass_done(uint64_t passes) {
@@ -36,6 +37,9 @@ bool Output::send() {
   };
   try {
     sent = begin() && send_tiles();
+  } catch (const Error&) {  // of the executor
+    end(BDPT_ERROR_CALLBACK_FAILED);
+    throw;
   } catch (...) {
     end(BDPT_ERROR_OUT_OF_MEMORY);
     throw;
@@ -52,17 +56,36 @@ bool Output::begin() {
   });
 }
 
+PixelRect Output::tile(int i) const {
+  const int x = i % columns_ * kTile, y = i / columns_ * kTile;
+  return {x, y, std::min(x + kTile, film_.desc().width), std::min(y + kTile, film_.desc().height)};
+}
+
+void Output::resolve(int first, int count) {
+  std::atomic<int> done{0};
+  executor_.run(uint32_t(count), [&](uint32_t i) {
+    const HostFloatMode mode;  // the same on all threads
+    const PixelRect rect = tile(first + int(i));
+    film_.read(FilmLayer::Color, 0, 0, rect, false, pixels_of(int(i)), size_t(rect.width()) * 3);
+    ++done;
+  });
+  if (done != count)
+    fail(ErrorCode::CallbackFailed, "executor: run returned before it had called the body for each index");
+}
+
 bool Output::send_tiles() {
-  const int width = film_.desc().width, height = film_.desc().height;
-  for (int y0 = 0; y0 < height; y0 += kTile)
-    for (int x0 = 0; x0 < width; x0 += kTile) {
-      const int x1 = std::min(x0 + kTile, width), y1 = std::min(y0 + kTile, height);
-      film_.read(FilmLayer::Color, 0, 0, {x0, y0, x1, y1}, false, tile_.data(), size_t(x1 - x0) * 3);
+  for (int first = 0; first < columns_ * rows_; first += kBatch) {
+    const int count = std::min(kBatch, columns_ * rows_ - first);
+    resolve(first, count);
+    for (int i = 0; i < count; ++i) {
+      const PixelRect rect = tile(first + i);
       const bool going = calls_.run("desc.sink.tile", [&] {
-        return sink_.tile(sink_.user, uint32_t(x0), uint32_t(y0), uint32_t(x1), uint32_t(y1), tile_.data());
+        return sink_.tile(sink_.user, uint32_t(rect.x0), uint32_t(rect.y0), uint32_t(rect.x1), uint32_t(rect.y1),
+                          pixels_of(i));
       });
       if (!going) return false;
     }
+  }
   return true;
 }
 

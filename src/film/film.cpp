@@ -242,12 +242,15 @@ namespace {
 // sampled and as many samples in a pass, |D| / N is one over the number of passes.
 struct Sums {
   double eye[3] = {}, light[3] = {}, weight = 0, samples = 0;
-  void add(const PixelLayout& layout, const Accumulator* s, size_t plane, bool unfiltered) {
-    for (size_t c = 0; c < 3; ++c) eye[c] += s[layout.eye(plane) + c].value();
+  Sums() = default;
+  // sum(i) is accumulator i of the pixel's layout.
+  template <class Sum>
+  Sums(const PixelLayout& layout, size_t plane, bool unfiltered, const Sum& sum) {
+    for (size_t c = 0; c < 3; ++c) eye[c] = sum(layout.eye(plane) + c).value();
     if (layout.one_image) return;
-    for (size_t c = 0; c < 3; ++c) light[c] += s[layout.light(plane) + c].value();
-    weight += s[unfiltered ? layout.own_weight() : layout.weight()].value();
-    if (layout.counts) samples += s[layout.samples()].value();
+    for (size_t c = 0; c < 3; ++c) light[c] = sum(layout.light(plane) + c).value();
+    weight = sum(unfiltered ? layout.own_weight() : layout.weight()).value();
+    if (layout.counts) samples = sum(layout.samples()).value();
   }
   void add(const Sums& o) {
     for (size_t c = 0; c < 3; ++c) eye[c] += o.eye[c], light[c] += o.light[c];
@@ -262,26 +265,40 @@ struct Sums {
 
 }  // namespace
 
+// A pixel's accumulators, of all groups together, and of the pass in hand if that is wanted.
+struct Film::AllOf {
+  const Film& film;
+  bool include_partial;
+  auto operator()(size_t pixel) const {
+    return [this, pixel](size_t i) {
+      Accumulator sum = include_partial ? film.pass_[pixel * film.layout_.size() + i] : Accumulator{};
+      for (int g = 0; g < film.desc_.groups; ++g) sum.add(film.sums_of(g, pixel)[i]);
+      return sum;
+    };
+  }
+};
+
 // Reads the mean of a pixel and the variance of this mean, both from the groups of passes that hold any.
 class Film::GroupReader {
  public:
   explicit GroupReader(const Film& film) : film_(film) {
     for (int g = 0; g < film.desc_.groups; ++g)
       if (const double n = double(film.passes_in_group(g)); n > 0) {
-        groups_.push_back({g, n});
+        groups_[filled_++] = {g, n};
         all_ += n;
       }
   }
-  size_t filled() const { return groups_.size(); }
+  size_t filled() const { return filled_; }
 
   // Needs two filled groups.
   void read(size_t pixel, size_t plane, double color[3], double variance[3]) const {
     const bool by_weights = film_.desc_.normalize_by_weights;
     Sums whole;
     double mean[3] = {}, square[3] = {};
-    for (const Group& g : groups_) {
-      Sums sums;
-      sums.add(film_.layout_, film_.sums_of(g.index, pixel), plane, film_.is_unfiltered(plane));
+    for (size_t i = 0; i < filled_; ++i) {
+      const Group& g = groups_[i];
+      const Accumulator* of_group = film_.sums_of(g.index, pixel);
+      const Sums sums(film_.layout_, plane, film_.is_unfiltered(plane), [&](size_t j) { return of_group[j]; });
       whole.add(sums);
       const double scale = sums.eye_scale(by_weights, g.passes), w = g.passes / all_;
       for (int c = 0; c < 3; ++c) {
@@ -302,7 +319,8 @@ class Film::GroupReader {
     double passes;
   };
   const Film& film_;
-  std::vector<Group> groups_;
+  Group groups_[kMaxGroups];  // no allocation: threads of the host's read, too
+  size_t filled_ = 0;
   double all_ = 0;
 };
 
@@ -314,13 +332,12 @@ void Film::read(FilmLayer layer, int s, int t, const PixelRect& rect, bool inclu
   const double whole = double(passes() + (include_partial ? recipe_.pool_passes : 0));
   const double per_pass = whole > 0 ? 1 / whole : 0;
   const GroupReader groups(*this);
+  const AllOf all_of{*this, include_partial};
 
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const size_t pixel = size_t(y) * size_t(desc_.width) + size_t(x);
-      Sums sums;
-      for (int g = 0; g < desc_.groups; ++g) sums.add(layout_, sums_of(g, pixel), plane, is_unfiltered(plane));
-      if (include_partial) sums.add(layout_, &pass_[pixel * layout_.size()], plane, is_unfiltered(plane));
+      const Sums sums(layout_, plane, is_unfiltered(plane), all_of(pixel));
       const double eye = sums.eye_scale(desc_.normalize_by_weights, whole);
       double rgb[3] = {};
       switch (layer) {
@@ -375,17 +392,14 @@ std::vector<Film::Covered> Film::read_coverage(size_t coverage, const PixelRect&
   include_partial = include_partial && partial_;
   std::vector<Covered> result;
   result.reserve(rect.count() * ranks);
+  const AllOf all_of{*this, include_partial};
   double all = 0, left_out = 0;
   for (int y = rect.y0; y < rect.y1; ++y)
     for (int x = rect.x0; x < rect.x1; ++x) {
       const size_t pixel = size_t(y) * size_t(desc_.width) + size_t(x);
       PixelCoverage covered = coverage_[coverage * pixels() + pixel];
-      Sums sums;
-      for (int g = 0; g < desc_.groups; ++g) sums.add(layout_, sums_of(g, pixel), 0, false);
-      if (include_partial) {
-        covered.add(pass_coverage_[coverage * pixels() + pixel]);
-        sums.add(layout_, &pass_[pixel * layout_.size()], 0, false);
-      }
+      if (include_partial) covered.add(pass_coverage_[coverage * pixels() + pixel]);
+      const Sums sums(layout_, 0, false, all_of(pixel));
       std::sort(std::begin(covered.slots), std::end(covered.slots), [](const CoverageSlot& a, const CoverageSlot& b) {
         return a.samples != b.samples ? a.samples > b.samples : a.id < b.id;
       });

@@ -19,7 +19,7 @@
 
 namespace bdpt {
 
-inline constexpr int kMaxPlanes = 1024;
+inline constexpr int kMaxPlanes = 1024, kMaxGroups = 16;
 inline constexpr int kMaxCameraPlanes = 64, kMaxCoverages = 2;
 
 struct FilmDesc {
@@ -186,6 +186,7 @@ class Film {
     return film.x >= 0 && film.y >= 0 && film.x < float(desc_.width) && film.y < float(desc_.height);
   }
   size_t own(const FilmPosition& film) const { return size_t(film.y) * size_t(desc_.width) + size_t(film.x); }
+  struct AllOf;
   class GroupReader;
   const Accumulator* sums_of(int group, size_t pixel) const {
     return sums_.data() + (size_t(group) * pixels() + pixel) * layout_.size();

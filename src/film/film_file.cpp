@@ -100,7 +100,7 @@ FilmDesc read_desc(Reader& in) {
   d.coverages = in.value<int32_t>();
   const bool ok = d.width >= 1 && d.width <= 65536 && d.height >= 1 && d.height <= 65536 && type >= 0 && type <= 4 &&
                   d.filter.radius >= 0.5f && d.filter.radius <= 8 && std::isfinite(d.filter.a) &&
-                  std::isfinite(d.filter.b) && by_weights <= 1 && d.groups >= 1 && d.groups <= 16 &&
+                  std::isfinite(d.filter.b) && by_weights <= 1 && d.groups >= 1 && d.groups <= kMaxGroups &&
                   d.pyramid_edges >= 0 && d.pyramid_edges <= 15 && d.planes >= 1 && d.planes <= kMaxPlanes &&
                   one_image <= 1 && counts <= 1 && counts + one_image <= 1 &&
                   (one_image == 1 || counts == 1 || d.planes == 1) &&
