@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <functional>
 #include <vector>
@@ -138,14 +139,19 @@ struct Room {
   }
 };
 
+struct Way {
+  const char* name;
+  std::function<double()> seconds;
+};
+
 // The median over the turns of each way's time over the first one's in the same turn, once all have been warmed up.
-void compare(int turns, const char* title, const std::vector<std::pair<const char*, std::function<double()>>>& ways) {
+void compare(int turns, const char* title, const std::vector<Way>& ways) {
   std::vector<std::vector<double>> ratios(ways.size());
   std::vector<double> first;
   for (int turn = -1; turn < turns; ++turn) {
     double base = 0;
     for (size_t i = 0; i < ways.size(); ++i) {
-      const double seconds = ways[i].second();
+      const double seconds = ways[i].seconds();
       if (i == 0) base = seconds;
       if (turn < 0) continue;
       ratios[i].push_back(seconds / base);
@@ -153,23 +159,23 @@ void compare(int turns, const char* title, const std::vector<std::pair<const cha
     }
   }
   std::printf("%s, %.1f ms a pass\n", title, 1e3 * median(first) / double(kPasses));
-  for (size_t i = 1; i < ways.size(); ++i) std::printf("  %-44s %.4f\n", ways[i].first, median(ratios[i]));
+  for (size_t i = 1; i < ways.size(); ++i) std::printf("  %-44s %.4f\n", ways[i].name, median(ratios[i]));
 }
 
-void compare_calls(int turns, const Room& room, const char* title) {
-  static double sum = 0;
-  bdpt_output_sink sink = make<bdpt_output_sink>();
+double sum_of_tiles = 0;
+
+std::vector<Way> ways_of(const Room& room) {
+  static bdpt_output_sink sink = make<bdpt_output_sink>();
   sink.every = 1;
   sink.tile = [](void*, uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1, const float* pixels) {
-    sum += pixels[0] + double((x1 - x0) * (y1 - y0));
+    sum_of_tiles += pixels[0] + double((x1 - x0) * (y1 - y0));
     return int32_t(0);
   };
-  compare(turns, title,
-          {{"all in one call", [&] { return room.render(kPasses, nullptr, false); }},
-           {"a call for each pass", [&] { return room.render(1, nullptr, false); }},
-           {"a call for each pass, with its report", [&] { return room.render(1, nullptr, true); }},
-           {"the image sent by tiles after each pass", [&] { return room.render(kPasses, &sink, false); }},
-           {"a call for each pass, and the image by tiles", [&] { return room.render(1, &sink, false); }}});
+  return {{"one call", [&] { return room.render(kPasses, nullptr, false); }},
+          {"a call for each pass", [&] { return room.render(1, nullptr, false); }},
+          {"a call and a report for each pass", [&] { return room.render(1, nullptr, true); }},
+          {"one call, tiles after each pass", [&] { return room.render(kPasses, &sink, false); }},
+          {"a call for each pass, and tiles", [&] { return room.render(1, &sink, false); }}};
 }
 
 void count_objects(double seconds) {
@@ -199,13 +205,30 @@ void count_objects(double seconds) {
               }));
 }
 
+// One of the ways by itself, for who counts instructions: valgrind --tool=callgrind build/bdpt_call_costs count WAY
+int run_once(const char* name) {
+  const Room room(1);
+  for (const Way& way : ways_of(room))
+    if (std::strcmp(way.name, name) == 0) return way.seconds(), 0;
+  std::fprintf(stderr, "the ways are:\n");
+  for (const Way& way : ways_of(room)) std::fprintf(stderr, "  %s\n", way.name);
+  return 2;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 3 && std::strcmp(argv[1], "count") == 0) return run_once(argv[2]);
   const int turns = argc > 1 ? std::atoi(argv[1]) : 15;
   if (turns < 1) return std::fprintf(stderr, "usage: bdpt_call_costs [TURNS (1 or more)]\n"), 2;
-  compare_calls(turns, Room(1), "Passes of 256 x 256 pixels on one thread, its time over that of one call");
-  compare_calls(turns, Room(0), "The same on all cores, by the clock");
+  {
+    const Room room(1);
+    compare(turns, "Passes of 256 x 256 pixels on one thread, its time over that of one call", ways_of(room));
+  }
+  {
+    const Room room(0);
+    compare(turns, "The same on all cores, by the clock", ways_of(room));
+  }
   count_objects(1);
   return 0;
 }
