@@ -119,7 +119,7 @@ TEST(ApiEmbedding, FunctionsOfTheHostsRunInTheFloatingPointModeInWhichProgramsSt
   custom.start = [](void* user, uint32_t n, const uint64_t*, const float(*)[4], bdpt_measurement_start* starts) {
     static_cast<Both*>(user)->start->look();
     for (uint32_t i = 0; i < n; ++i) {
-      starts[i].position[2] = starts[i].direction[2] = 1;
+      starts[i].position[0] = starts[i].position[1] = 1.2f, starts[i].direction[1] = -1;  // down to the floor
       starts[i].weight = starts[i].density_position = starts[i].density_direction = 1;
     }
     return int32_t(0);
