@@ -10,7 +10,7 @@ namespace {
 
 bdpt_isa asked_for() {
   const char* name = std::getenv("BDPT_ISA");
-  if (!name) return BDPT_ISA_BEST;
+  if (!name || !*name) return BDPT_ISA_BEST;
   return std::strcmp(name, "avx512") == 0 ? BDPT_ISA_AVX512
          : std::strcmp(name, "avx2") == 0 ? BDPT_ISA_AVX2
                                           : BDPT_ISA_SSE42;
