@@ -76,7 +76,7 @@ BakeOutput parse_output(const std::string& text, bdpt_light_paths paths, double 
 
 void add_bake_options(CLI::App& command, BakeOptions& options) {
   RenderOptions& render = options.render;
-  command.add_option("scene", render.scene, "A scene file: glTF 2.0 (.gltf, .glb), pbrt-v4, OBJ or PLY")->required();
+  command.add_option("file", render.scene, "A scene file: glTF 2.0 (.gltf, .glb), pbrt-v4, OBJ or PLY")->required();
   add_read_options(command, render.read);
   command
       .add_option(

@@ -131,7 +131,7 @@ ExitCode info(const InfoOptions& options) {
 void add_info_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("info", "Tell what a scene holds");
   const auto options = std::make_shared<InfoOptions>();
-  command->add_option("scene", options->scene, "A scene file: pbrt-v4, glTF 2.0 (.gltf, .glb), OBJ or PLY")->required();
+  command->add_option("file", options->scene, "A scene file: pbrt-v4, glTF 2.0 (.gltf, .glb), OBJ or PLY")->required();
   add_read_options(*command, options->read);
   command->add_flag("--json", options->json, "Print one JSON object instead of text");
   command->callback([&chosen, options] { chosen = [options] { return info(*options); }; });

@@ -188,7 +188,7 @@ void add_method_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_render_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("scene", options.scene, "A scene file: pbrt-v4, glTF 2.0 (.gltf, .glb), OBJ or PLY")->required();
+  command.add_option("file", options.scene, "A scene file: pbrt-v4, glTF 2.0 (.gltf, .glb), OBJ or PLY")->required();
   add_read_options(command, options.read);
   add_output_options(command, options);
   add_limit_options(command, options);
