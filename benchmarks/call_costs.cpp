@@ -8,11 +8,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <functional>
 #include <vector>
 
+#include "timing.h"
+
 namespace {
+
+using bdpt_benchmark::clock_seconds;
+using bdpt_benchmark::median;
 
 constexpr uint32_t kSide = 256;
 constexpr uint64_t kPasses = 8;
@@ -28,17 +32,6 @@ T make() {
   T desc{};
   desc.struct_size = sizeof desc;
   return desc;
-}
-
-double clock_seconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 bdpt_material_id add_grey(bdpt_builder* builder, float emission) {

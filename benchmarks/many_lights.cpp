@@ -9,6 +9,7 @@
 
 #include "render/render.h"
 #include "scenes.h"
+#include "this_thread.h"
 #include "timing.h"
 #include "variance.h"
 

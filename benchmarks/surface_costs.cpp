@@ -10,6 +10,7 @@
 #include "material_testing.h"
 #include "render/render.h"
 #include "scenes.h"
+#include "this_thread.h"
 #include "timing.h"
 
 namespace bdpt {

@@ -5,12 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <ctime>
-#include <memory>
 #include <vector>
-
-#include "render/executor.h"
 
 namespace bdpt_benchmark {
 
@@ -20,20 +16,12 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-// Of all threads of this process.
-inline double processor_seconds() {
+inline double clock_seconds(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
-
-// Runs everything on the thread that calls.
-inline std::shared_ptr<bdpt::Executor> this_thread() {
-  bdpt::HostExecutor host;
-  host.run = [](void*, std::uint32_t n, void (*body)(void*, std::uint32_t), void* user) {
-    for (std::uint32_t i = 0; i < n; ++i) body(user, i);
-  };
-  return bdpt::make_host_executor(host);
-}
+// Of all threads of this process.
+inline double processor_seconds() { return clock_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 }  // namespace bdpt_benchmark

@@ -1,7 +1,11 @@
 # What the library stands on, all from the system; nothing is downloaded.
-find_package(embree 4 CONFIG QUIET)
-if(NOT embree_FOUND)
-  find_package(embree 3.13 CONFIG REQUIRED)
+if(BDPT_EMBREE_VERSION)  # what a static library that is installed was built with
+  find_package(embree ${BDPT_EMBREE_VERSION} CONFIG REQUIRED)
+else()
+  find_package(embree 4 CONFIG QUIET)
+  if(NOT embree_FOUND)
+    find_package(embree 3.13 CONFIG REQUIRED)
+  endif()
 endif()
 find_package(TBB REQUIRED)
 find_package(Imath CONFIG REQUIRED)

@@ -12,7 +12,7 @@ install(EXPORT bdptTargets NAMESPACE bdpt:: DESTINATION ${config_folder} COMPONE
 # Whoever links the shared library needs nothing else; the static one brings what it stands on.
 set(includes "")
 if(NOT BUILD_SHARED_LIBS)
-  set(includes "set(BDPT_REQUIRED_VERSION_OF_EMBREE ${embree_VERSION_MAJOR})\ninclude(\${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake)\n")
+  set(includes "set(BDPT_EMBREE_VERSION ${embree_VERSION})\ninclude(\${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake)\n")
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/Dependencies.cmake DESTINATION ${config_folder} COMPONENT development)
 endif()
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/bdptConfig.cmake
@@ -23,15 +23,12 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/bdptConfig.cmake ${CMAKE_CURRENT_BINAR
 
 # The same for pkg-config. Its prefix is where it lies, so that the folder may be moved.
 file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
-set(private "-lembree${embree_VERSION_MAJOR} -lstdc++ -lm -ldl -pthread")
-if(embree_VERSION_MAJOR EQUAL 3)
-  set(private "-lembree3 -lstdc++ -lm -ldl -pthread")
-endif()
-set(pc_private "Requires.private: OpenEXR OpenColorIO Imath libpng tbb\nLibs.private: ${private}\n")
-if(BUILD_SHARED_LIBS)
-  set(pc_private "")
-  set(pc_cflags "")
-else()
+set(pc_private "")
+set(pc_cflags "")
+if(NOT BUILD_SHARED_LIBS)
+  set(pc_private "Requires.private: OpenEXR OpenColorIO Imath libpng tbb
+Libs.private: -lembree${embree_VERSION_MAJOR} -lstdc++ -lm -ldl -pthread
+")
   set(pc_cflags " -DBDPT_STATIC")
 endif()
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/bdpt.pc "prefix=\${pcfiledir}/${up}
@@ -40,7 +37,6 @@ includedir=\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
 
 Name: bdpt
 Description: ${PROJECT_DESCRIPTION}
-URL: https://github.com/bdpt/bdpt
 Version: ${PROJECT_VERSION}
 Libs: -L\${libdir} -lbdpt
 Cflags: -I\${includedir}${pc_cflags}
