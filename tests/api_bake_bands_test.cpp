@@ -5,8 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_bake_bands_test {
 
 struct Map {
   bdpt_lightmap_instance floor = make<bdpt_lightmap_instance>();
@@ -272,5 +271,4 @@ TEST(ApiBakeBands, PlanesAndLightsAreListed) {
   EXPECT_EQ(BDPT_OUTPUT_NONE, p.kind);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_bake_bands_test

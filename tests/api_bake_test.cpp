@@ -6,8 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_bake_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -492,5 +491,4 @@ TEST(ApiBake, APartHasTheBitsOfTheWhole) {
     }
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_bake_test

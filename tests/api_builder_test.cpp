@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_builder_test {
 
 using ApiBuilder = BuilderTest;
 
@@ -203,5 +202,4 @@ TEST_F(ApiBuilder, ALampTooSmallToHaveAnAreaGivesAFinitePicture) {
   for (const float v : pixels_of(film.get())) ASSERT_TRUE(std::isfinite(v));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_builder_test

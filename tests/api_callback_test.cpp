@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_callback_test {
 
 using Progress = std::function<int32_t(const bdpt_progress&)>;
 
@@ -284,5 +283,4 @@ TEST_F(ApiCallback, BeginAndEndMayBeLeftOut) {
   EXPECT_EQ(pixels_of(world_.film.get()), recorder.pixels);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_callback_test

@@ -6,8 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_camera_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -206,5 +205,4 @@ TEST_F(ApiCamera, TheFilmHasTheSizeOfTheCropWindow) {
   EXPECT_EQ(5u, info_of(film.get()).height);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_camera_test

@@ -8,8 +8,7 @@
 #include <random>
 #include <thread>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_cancel_test {
 
 std::string file_of(const bdpt_film* film) {
   const bdpt::TempFolder folder;
@@ -184,5 +183,4 @@ TEST(ApiCancel, ATokenMayBeReleasedInsideTheCallThatHoldsIt) {
   EXPECT_EQ(nullptr, cancel);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_cancel_test

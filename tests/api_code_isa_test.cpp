@@ -5,8 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_code_isa_test {
 
 bdpt_isa asked_for() {
   const char* name = std::getenv("BDPT_ISA");
@@ -46,5 +45,4 @@ TEST(ApiCodeIsa, EachRendersTheSamePicture) {
   EXPECT_TRUE(std::isfinite(mean));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_code_isa_test

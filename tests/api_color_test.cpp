@@ -9,8 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_color_test {
 
 using Color = std::array<float, 3>;
 
@@ -231,5 +230,4 @@ TEST(ApiColor, AViewOfTheContextsConfiguration) {
   EXPECT_EQ(color, pixel);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_color_test

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_contents_render_test {
 
 struct Furnished {
   Context context;
@@ -137,5 +136,4 @@ TEST(ApiContentsRender, AnUpdateLeavesBuiltScenesAlone) {
   EXPECT_NE(before, picture(build(b)));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_contents_render_test

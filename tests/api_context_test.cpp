@@ -7,8 +7,7 @@
 #include <mutex>
 #include <thread>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_context_test {
 
 void run_here(void*, uint32_t n, void (*body)(void*, uint32_t), void* user) {
   for (uint32_t i = 0; i < n; ++i) body(user, i);
@@ -327,5 +326,4 @@ TEST(ApiContext, TwoContextsRenderAtOnceAndAlike) {
   EXPECT_EQ(pictures[0], pictures[1]);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_context_test

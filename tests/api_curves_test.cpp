@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_curves_test {
 
 constexpr float kPoints[8][4] = {{0, 0, 0, 0.1f},  {1, 0, 0, 0.1f},    {2, 1, 0, 0.2f},    {3, 1, 0, 0.1f},
                                  {0, 0, 1, 0.05f}, {1, 0.5f, 1, 0.1f}, {2, 0.5f, 1, 0.1f}, {3, 0, 1, 0.05f}};
@@ -257,5 +256,4 @@ TEST_F(ApiCurves, EveryReleaseIsCalledOnceDuringTheCall) {
     }
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_curves_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_custom_test {
 
 constexpr float kPi = 3.14159265f;
 constexpr float kSide = 6, kTexels = 4;  // the floor, and how many texels it has to a side
@@ -236,5 +235,4 @@ TEST_F(ApiCustom, FieldsAreChecked) {
   EXPECT_EQ(5, floor_.dropped);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_custom_test

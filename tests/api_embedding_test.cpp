@@ -18,8 +18,7 @@
 #include <immintrin.h>
 #endif
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_embedding_test {
 
 size_t thread_count() {
   return size_t(
@@ -248,5 +247,4 @@ TEST(ApiEmbedding, AProcessMayExitWithHandlesAlive) {
   EXPECT_EQ(0, status);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_embedding_test

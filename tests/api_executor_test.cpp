@@ -6,8 +6,7 @@
 #include <iterator>
 #include <thread>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_executor_test {
 
 size_t thread_count() {
   return size_t(
@@ -117,5 +116,4 @@ TEST(ApiExecutor, TheFilmIsTheSameOnAllThreads) {
   EXPECT_GT(counter.bodies, 0u);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_executor_test

@@ -9,8 +9,7 @@
 #include <iterator>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_film_test {
 
 std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -252,5 +251,4 @@ TEST_F(ApiFilm, AFileThatCannotBeWrittenIsAnErrorAndLeavesNothing) {
   EXPECT_EQ(before, folder_.count());
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_film_test

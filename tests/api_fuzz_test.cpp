@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_fuzz_test {
 
 constexpr float kBright = 1e6f;
 
@@ -144,7 +143,9 @@ TEST(ApiFuzz, WhateverIsTakenGivesAFinitePicture) {
     }
     bdpt_film_info info = make<bdpt_film_info>();
     ASSERT_OK(bdpt_film_get_info(film.get(), &info));
-    if (!fuzz.is_bright) EXPECT_EQ(0u, info.rejected);
+    if (!fuzz.is_bright) {
+      EXPECT_EQ(0u, info.rejected);
+    }
     for (const float v : pixels_of(film.get())) ASSERT_TRUE(std::isfinite(v) && v >= 0) << v;
   }
   EXPECT_LT(1000, taken);
@@ -152,5 +153,4 @@ TEST(ApiFuzz, WhateverIsTakenGivesAFinitePicture) {
   EXPECT_EQ(before, memory_in_use(context.get()));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_fuzz_test

@@ -4,8 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_host_texture_test {
 
 // A function, what goes wrong in it, and what it saw.
 struct Pattern {
@@ -250,5 +249,4 @@ TEST_F(ApiHostTexture, IsDroppedOnceWhenNothingNeedsItAnyMore) {
   EXPECT_EQ(2, pattern_.dropped);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_host_texture_test

@@ -10,8 +10,7 @@
 #include <mutex>
 #include <thread>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_hpp_test {
 
 static_assert(std::is_copy_constructible_v<bdpt::Context> && std::is_nothrow_move_constructible_v<bdpt::Context>);
 static_assert(std::is_copy_assignable_v<bdpt::Scene> && std::is_copy_assignable_v<bdpt::Sensor>);
@@ -695,5 +694,4 @@ TEST(ApiHpp, SensorsOfSurfacesAndPoints) {
   EXPECT_NEAR(1, rgb[1], 1e-4f);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_hpp_test

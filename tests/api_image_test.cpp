@@ -7,8 +7,7 @@
 #include <functional>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_image_test {
 
 TEST(ApiImage, DisplayDescriptionsAreChecked) {
   const auto try_display = [](const std::function<void(bdpt_display_desc&)>& change, uint32_t width = 1) {
@@ -141,5 +140,4 @@ TEST(ApiImage, PngsAreChecked) {
   EXPECT_EQ(1u, folder.count());
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_image_test

@@ -5,8 +5,7 @@
 #include <functional>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_light_test {
 
 constexpr float kVertical[] = {0, 45, 90}, kHorizontal[] = {0, 90};
 constexpr float kIntensities[] = {1, 2, 3, 4, 5, 6};
@@ -197,5 +196,4 @@ TEST_F(ApiLight, EveryKindLightsAScene) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_light_test

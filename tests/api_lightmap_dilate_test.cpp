@@ -7,8 +7,7 @@
 #include <map>
 #include <random>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_lightmap_dilate_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -244,5 +243,4 @@ TEST(ApiLightmapDilate, NoStepsMeansFour) {
   EXPECT_EQ(4u, image.dilate(0).filled);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_lightmap_dilate_test

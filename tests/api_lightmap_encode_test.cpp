@@ -10,8 +10,7 @@
 #include <numbers>
 #include <random>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_lightmap_encode_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 constexpr double kPi = std::numbers::pi;
@@ -416,5 +415,4 @@ TEST(ApiLightmapEncode, BadInputIsRefusedAndNothingWritten) {
   refused("overlaps", kRgbm, [](auto& d) { d.pixels = static_cast<float*>(d.encoded) + 1; });
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_lightmap_encode_test

@@ -4,8 +4,7 @@
 #include <cfloat>
 #include <random>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_lightmap_extremes_test {
 
 // Of either sign; now and then zero, the largest, or a denormal.
 float wild(std::mt19937& random, float exponent) {
@@ -106,5 +105,4 @@ TEST(ApiLightmapExtremes, DilatedValuesAreFinite) {
   EXPECT_EQ(std::vector<float>(64, FLT_MAX), pixels);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_lightmap_extremes_test

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_lightmap_seams_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -389,5 +388,4 @@ TEST(ApiLightmapSeams, BadInputIsRefusedAndNothingWritten) {
   refused("normals", [](Input& in) { in.mesh.normals[3] = {}; });
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_lightmap_seams_test

@@ -5,8 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_lightmap_uv_check_test {
 
 constexpr uint32_t kWidth = 32, kHeight = 16;
 constexpr AtlasSide kAtlas{kWidth, kHeight};
@@ -456,5 +455,4 @@ TEST(ApiLightmapUvCheck, AnUnwrappedModelIsFoundInOrder) {
   EXPECT_NEAR(256, r.density_max, 0.1);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_lightmap_uv_check_test

@@ -6,8 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_material_kinds_test {
 
 class ApiMaterialKinds : public BuilderTest {};
 
@@ -228,5 +227,4 @@ TEST_F(ApiMaterialKinds, MeasuredMetalsAreFoundByName) {
   EXPECT_NE(nullptr, std::strstr(bdpt_last_error(), "Cu")) << bdpt_last_error();
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_material_kinds_test

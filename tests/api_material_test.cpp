@@ -1,8 +1,7 @@
 // Materials: what is refused.
 #include "api_builder.h"
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_material_test {
 
 using ApiMaterial = BuilderTest;
 
@@ -88,5 +87,4 @@ TEST_F(ApiMaterial, AnInteriorIsOfWhatLightPasses) {
           [](auto& d) { d.type = BDPT_MATERIAL_INTERFACE, d.emission[1] = 1; });
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_material_test

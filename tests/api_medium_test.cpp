@@ -1,8 +1,7 @@
 // Media: what is refused, and who holds them.
 #include "api_builder.h"
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_medium_test {
 
 using ApiMedium = BuilderTest;
 
@@ -109,5 +108,4 @@ TEST_F(ApiMedium, NoLightComesFromInfinityThroughAMediumThatIsEverywhere) {
   bdpt_scene_release(scene);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_medium_test

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_mesh_test {
 
 // An array of elements `stride` bytes apart in a block that ends with the last of them, or slack bytes later.
 class Strided {
@@ -225,5 +224,4 @@ TEST(ApiMesh, AnErrorNamesFunctionFieldObjectAndValue) {
     EXPECT_NE(std::string::npos, text.find(part)) << text;
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_mesh_test

@@ -2,8 +2,7 @@
 #include "api_scene.h"
 #include "lightmap_meshes.h"
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_null_test {
 
 #define EXPECT_INVALID(call)                                                         \
   do {                                                                               \
@@ -318,5 +317,4 @@ TEST(ApiNull, LightmapCallsRefuseIt) {
   EXPECT_INVALID(bdpt_lightmap_encode(&encode, nullptr));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_null_test

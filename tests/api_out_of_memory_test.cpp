@@ -35,8 +35,7 @@ void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_out_of_memory_test {
 
 // Lets the first, second, third ... allocation of the call fail until the call succeeds. Returns how many failed.
 int fail_each_allocation(const std::function<bdpt_result()>& call) {
@@ -273,5 +272,4 @@ TEST(ApiOutOfMemory, LightmapCallsWriteAllOrNothing) {
   EXPECT_EQ(2u, report.charts);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_out_of_memory_test

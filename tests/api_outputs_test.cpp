@@ -5,8 +5,7 @@
 #include <cstdlib>
 #include <functional>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_outputs_test {
 
 bdpt_output_desc output(bdpt_output_kind kind) {
   bdpt_output_desc desc = make<bdpt_output_desc>();
@@ -263,5 +262,4 @@ TEST(ApiOutputs, TheDenoiserWorksOrSaysThatItIsAbsent) {
   refused([&](auto& d) { d.color = reinterpret_cast<const float*>(reinterpret_cast<const char*>(color.data()) + 1); });
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_outputs_test

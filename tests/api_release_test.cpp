@@ -4,8 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_release_test {
 
 // A mesh of one triangle in blocks of exactly its size, each view with a release that counts.
 struct LentMesh {
@@ -245,5 +244,4 @@ TEST(ApiRelease, AReleaseMayCallTheBuilderItIsReleasedFrom) {
   ASSERT_OK(bdpt_shape_remove(builder.get(), shape));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_release_test

@@ -6,8 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_render_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -302,5 +301,4 @@ TEST_F(ApiRender, NeitherBlockSizeNorHowItIsCutIntoCallsChangesABit) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_render_test

@@ -3,8 +3,7 @@
 
 #include <map>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_scene_hash_test {
 
 // A square of glass-like stuff that has everything, in a medium, to be changed in one place.
 struct Everything {
@@ -163,5 +162,4 @@ TEST_F(ApiSceneHash, IsTheSameForWhatLooksTheSame) {
   same([](auto& e) { e.material.opacity_cutoff = 0.5f; });
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_scene_hash_test

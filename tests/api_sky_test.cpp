@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_sky_test {
 
 constexpr uint32_t kWidth = 72, kHeight = 36;
 
@@ -80,5 +79,4 @@ TEST(ApiSky, WhatMakesNoSenseIsRefused) {
   EXPECT_EQ(BDPT_ERROR_INVALID_ARGUMENT, bdpt_sky_fill(nullptr, pixels.data(), pixels.size()));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_sky_test

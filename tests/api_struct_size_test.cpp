@@ -6,8 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_struct_size_test {
 
 // In a block of exactly this many bytes, so that a sanitizer sees what is read beyond it.
 template <class T>
@@ -423,5 +422,4 @@ TEST(ApiStructSize, AnOutputStructIsWrittenOnlyAsFarAsItReaches) {
   EXPECT_EQ(2u, block.info.threads);
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_struct_size_test

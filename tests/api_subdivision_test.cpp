@@ -1,8 +1,7 @@
 // Subdivision surfaces by the C ABI: meshes like others, and what is refused.
 #include "api_builder.h"
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_subdivision_test {
 
 constexpr float kCube[8][3] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
                                {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
@@ -233,5 +232,4 @@ TEST_F(ApiSubdivision, EveryReleaseIsCalledOnceDuringTheCall) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_subdivision_test

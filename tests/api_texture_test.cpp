@@ -3,8 +3,7 @@
 
 #include <vector>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_texture_test {
 
 using ApiTexture = BuilderTest;
 
@@ -125,5 +124,4 @@ TEST_F(ApiTexture, MemoryCountsAllLevelsAndIsGivenBack) {
   EXPECT_EQ(before, memory_in_use(context_.get()));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_texture_test

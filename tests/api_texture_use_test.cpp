@@ -4,8 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace bdpt_api {
-namespace {
+namespace bdpt_api::api_texture_use_test {
 
 class ApiTextureUse : public BuilderTest {
  protected:
@@ -254,5 +253,4 @@ TEST_F(ApiTextureUse, ATextureInUseStays) {
   EXPECT_OK(bdpt_texture_remove(b_, texture_));
 }
 
-}  // namespace
-}  // namespace bdpt_api
+}  // namespace bdpt_api::api_texture_use_test

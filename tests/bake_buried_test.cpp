@@ -1,8 +1,7 @@
 // What is buried is not measured, by any technique: floors that run on under walls.
 #include "baking.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_buried_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -272,5 +271,4 @@ TEST(BakeBuried, APartHasTheCellsOfTheWhole) {
   EXPECT_GT(partly, 3u);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_buried_test

@@ -1,8 +1,7 @@
 // Measurements whose values are known: form factors, uniform skies, fluxes, charts of unequal density.
 #include "baking.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_closed_form_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -473,5 +472,4 @@ TEST(BakeClosedForm, ASlitOfAMillimetreLetsThroughWhatItShould) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_closed_form_test

@@ -1,8 +1,7 @@
 // Instances that receive, but that no ray meets.
 #include "baking.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_invisible_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -90,5 +89,4 @@ TEST(BakeInvisible, ASceneOfNothingElse) {
   expect_value(e, M_PI, 1, "under the sky", 1e-4);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_invisible_test

@@ -1,8 +1,7 @@
 // Lightmaps against closed forms, and each technique of theirs against each other.
 #include "baking.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_lightmap_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -213,5 +212,4 @@ TEST(BakeLightmap, HarmonicsOfALampByEveryTechnique) {
   expect_all_same(means, names);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_lightmap_test

@@ -3,8 +3,7 @@
 #include "baking.h"
 #include "sampling/warp.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_octahedral_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -165,5 +164,4 @@ TEST(BakeOctahedral, RadianceByEveryTechniqueAndPlan) {
   expect_all_same(means, names);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_octahedral_test

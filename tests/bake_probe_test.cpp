@@ -3,8 +3,7 @@
 
 #include "bake/balls.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_probe_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -322,5 +321,4 @@ TEST(BakeProbe, TheTreeFindsEveryBall) {
   EXPECT_GT(found, 3000u);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_probe_test

@@ -3,8 +3,7 @@
 
 #include "baking.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::bake_vertices_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -191,5 +190,4 @@ TEST(BakeVertices, LeastSquaresReproduceALinearFunction) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::bake_vertices_test

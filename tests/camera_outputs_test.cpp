@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace bdpt {
-namespace {
+namespace bdpt::camera_outputs_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -422,5 +421,4 @@ TEST(CameraOutputs, FilmsAreSavedAndMerged) {
   EXPECT_THROW(merged->merge(Film(other, nullptr)), Error);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::camera_outputs_test

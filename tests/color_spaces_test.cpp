@@ -15,8 +15,7 @@
 #include "color/color_spaces.h"
 #include "temp_folder.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::color_spaces_test {
 
 using Color = std::array<float, 3>;
 
@@ -408,5 +407,4 @@ INSTANTIATE_TEST_SUITE_P(, AcesConfig,
                                          "studio-config-v1.0.0_aces-v1.3_ocio-v2.1.ocio"),
                          [](const auto& info) { return std::string(info.param).substr(0, 2); });
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::color_spaces_test

@@ -15,8 +15,7 @@
 #include "color/display.h"
 #include "temp_folder.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::color_test {
 
 using Pixel = std::array<float, 3>;
 
@@ -295,5 +294,4 @@ TEST(AcesView, AgreesWithThePublicConfiguration) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::color_test

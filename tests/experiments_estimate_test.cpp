@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace experiments_estimate_test {
 
 using namespace bdpt_experiments;
 using Images = std::vector<std::vector<float>>;
@@ -65,4 +65,4 @@ TEST(ExperimentEstimate, TextShowsTheDigitsThatTheErrorLetsStand) {
   EXPECT_EQ(text({NAN, 0}), "–");
 }
 
-}  // namespace
+}  // namespace experiments_estimate_test

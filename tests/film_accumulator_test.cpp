@@ -9,8 +9,7 @@
 #include <random>
 #include <thread>
 
-namespace bdpt {
-namespace {
+namespace bdpt::film_accumulator_test {
 
 Accumulator sum_of(const std::vector<float>& values) {
   Accumulator a;
@@ -158,5 +157,4 @@ TEST(FilmAccumulator, RejectedContributionsBelongToTheirPixelAndPass) {
   EXPECT_EQ(at(film, true), std::vector<float>(6));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::film_accumulator_test

@@ -1,8 +1,7 @@
 // What the film says of its own error is true.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::film_error_test {
 
 using namespace rendering;
 
@@ -100,5 +99,4 @@ TEST(FilmErrorOf, OnePassOrOneGroupIsUnknown) {
   EXPECT_EQ(error(2, 2), 0);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::film_error_test

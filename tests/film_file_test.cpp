@@ -6,8 +6,7 @@
 #include <iterator>
 #include <random>
 
-namespace bdpt {
-namespace {
+namespace bdpt::film_file_test {
 
 using namespace rendering;
 
@@ -209,5 +208,4 @@ TEST_F(FilmFile, DiscardedPassLeavesNothing) {
   EXPECT_EQ(film->rejected(), 3u);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::film_file_test

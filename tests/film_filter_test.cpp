@@ -1,8 +1,7 @@
 // Reconstruction filters: their integrals, where they splat, and that none of them changes what a picture shows.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::film_filter_test {
 
 using namespace rendering;
 
@@ -147,5 +146,4 @@ TEST(FilmFilter, EyeAndLightImageAgree) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::film_filter_test

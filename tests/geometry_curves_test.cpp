@@ -6,8 +6,7 @@
 
 #include <random>
 
-namespace bdpt {
-namespace {
+namespace bdpt::geometry_curves_test {
 
 using scenes::Builder;
 using scenes::kBases;
@@ -184,5 +183,4 @@ TEST(GeometryCurves, AThickLineIsACylinderWithCaps) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::geometry_curves_test

@@ -5,8 +5,7 @@
 #include "scenes.h"
 #include "statistics.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::geometry_isa_test {
 
 // A ball and a floor below it.
 class EveryIsa : public testing::TestWithParam<Isa> {};
@@ -71,5 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, EveryIsa, testing::Values(Isa::Sse42, Isa::Avx2, 
                                                             : std::string("avx512");
                          });
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::geometry_isa_test

@@ -9,8 +9,7 @@
 #include <random>
 #include <set>
 
-namespace bdpt {
-namespace {
+namespace bdpt::geometry_subdivision_test {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -300,5 +299,4 @@ TEST(GeometrySubdivision, CagesOfAnyShapeAreDiced) {
     }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::geometry_subdivision_test

@@ -28,8 +28,7 @@
 #include "io/png.h"
 #include "temp_folder.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::io_test {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -375,5 +374,4 @@ TEST(Png, FailsOnAFullDiskWhereverItIsFull) {
   EXPECT_EQ(folder.count(), 1u);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::io_test

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bdpt {
-namespace {
+namespace bdpt::light_density_test {
 
 using statistics::deviation;
 using statistics::Estimate;
@@ -223,5 +222,4 @@ TEST(LightDensity, TransformedMeshesShineFromTheirFrontOverTheirTrueArea) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::light_density_test

@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bdpt {
-namespace {
+namespace bdpt::light_kinds_test {
 
 using lights::Kind;
 using statistics::deviation;
@@ -414,5 +413,4 @@ TEST(TexelTable, SumsToOneAndLosesNothingBesideASun) {
   EXPECT_TRUE(TexelTable(3, 3, [](uint32_t, uint32_t) { return 0; }).empty());
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::light_kinds_test

@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bdpt {
-namespace {
+namespace bdpt::light_portal_test {
 
 using statistics::deviation;
 using statistics::Estimate;
@@ -225,5 +224,4 @@ TEST(LightPortal, DoNotChangeWhatArrives) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::light_portal_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bdpt {
-namespace {
+namespace bdpt::light_tree_test {
 
 using statistics::Uniform;
 
@@ -176,5 +175,4 @@ TEST(LightTree, TakesWhateverItIsGiven) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::light_tree_test

@@ -6,8 +6,7 @@
 #include <map>
 #include <random>
 
-namespace bdpt {
-namespace {
+namespace bdpt::lightmap_overlap_test {
 
 using Pairs = std::map<std::pair<size_t, size_t>, double>;
 
@@ -83,5 +82,4 @@ TEST(LightmapOverlap, TheSweepFindsEachPairOnce) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::lightmap_overlap_test

@@ -5,8 +5,7 @@
 
 #include <random>
 
-namespace bdpt {
-namespace {
+namespace bdpt::lightmap_seams_test {
 
 constexpr uint32_t kSide = 12;
 using Pixels = std::vector<double>;
@@ -70,5 +69,4 @@ TEST(LightmapSeams, TheSolutionIsTheMinimum) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::lightmap_seams_test

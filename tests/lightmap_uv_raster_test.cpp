@@ -7,8 +7,7 @@
 #include <random>
 #include <utility>
 
-namespace bdpt {
-namespace {
+namespace bdpt::lightmap_uv_raster_test {
 
 constexpr TexelRect kAll{0, 0, 8, 8};
 
@@ -85,5 +84,4 @@ TEST(LightmapUvRaster, RowZeroIsTheTopOfTheTexture) {
   EXPECT_EQ(Vec2d(0.5, 0.25), to_uv(to_texels(Vec2d(0.5, 0.25), 4, 8), 4, 8));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::lightmap_uv_raster_test

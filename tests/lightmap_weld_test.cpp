@@ -5,8 +5,7 @@
 
 #include <random>
 
-namespace bdpt {
-namespace {
+namespace bdpt::lightmap_weld_test {
 
 TEST(LightmapWeld, PointsWithinTheToleranceAreOneAndOthersAreNot) {
   std::mt19937 random(1);
@@ -39,5 +38,4 @@ TEST(LightmapWeld, ZeroHasNoSign) {
   EXPECT_EQ(0u, weld.point(Vec3d(-0.0, 0.0, 0.0)));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::lightmap_weld_test

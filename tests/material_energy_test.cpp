@@ -6,8 +6,7 @@
 
 #include "material_testing.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_energy_test {
 
 using namespace material_testing;
 using namespace statistics;
@@ -235,5 +234,4 @@ TEST(MaterialEnergy, ARoughMaterialTendsToTheSmoothOne) {
       }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_energy_test

@@ -4,8 +4,7 @@
 #include "material/fresnel.h"
 #include "material_testing.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_finite_test {
 
 using namespace material_testing;
 
@@ -118,5 +117,4 @@ TEST(MaterialFinite, SampleForAnyDirectionAndNumbers) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_finite_test

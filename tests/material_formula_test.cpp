@@ -8,8 +8,7 @@
 #include "material/fresnel.h"
 #include "material_testing.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_formula_test {
 
 using namespace material_testing;
 using Vec3d = Imath::V3d;
@@ -152,5 +151,4 @@ TEST(MaterialFormula, RoughDielectric) {
     }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_formula_test

@@ -3,8 +3,7 @@
 
 #include "material_testing.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_reciprocity_test {
 
 using namespace material_testing;
 
@@ -83,5 +82,4 @@ TEST(MaterialReciprocity, AlphaUIsTheRoughnessAlongX) {
   EXPECT_GT(f(direction(0.5, 0)), 10 * f(direction(0.5, M_PI / 2)));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_reciprocity_test

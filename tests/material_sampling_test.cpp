@@ -5,8 +5,7 @@
 
 #include "material_testing.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_sampling_test {
 
 using namespace material_testing;
 using namespace statistics;
@@ -130,5 +129,4 @@ TEST(MaterialSampling, ReverseDensityIsTheDensityWithTheRolesExchanged) {
       });
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_sampling_test

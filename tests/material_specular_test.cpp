@@ -4,8 +4,7 @@
 #include "material/fresnel.h"
 #include "material_testing.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_specular_test {
 
 using namespace material_testing;
 using namespace statistics;
@@ -233,5 +232,4 @@ TEST(MaterialSpecular, EqualIndicesLetAllLightStraightThrough) {
       });
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_specular_test

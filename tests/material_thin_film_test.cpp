@@ -11,8 +11,7 @@
 #include "material/fresnel.h"
 #include "statistics.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::material_thin_film_test {
 
 using Complex = std::complex<double>;
 
@@ -170,5 +169,4 @@ TEST(ThinFilm, OfAMetalIsColored) {
   EXPECT_GT(quarter.b, quarter.g);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::material_thin_film_test

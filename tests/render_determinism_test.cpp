@@ -6,8 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace bdpt {
-namespace {
+namespace bdpt::render_determinism_test {
 
 using namespace rendering;
 
@@ -251,5 +250,4 @@ INSTANTIATE_TEST_SUITE_P(
              .roulette = Roulette::Efficiency,
              .adaptive = Adaptive::TwoStages}));
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::render_determinism_test

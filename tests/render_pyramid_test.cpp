@@ -1,8 +1,7 @@
 // The picture is the sum of its pyramid of techniques, and of its eye and its light image.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::render_pyramid_test {
 
 using namespace rendering;
 
@@ -52,5 +51,4 @@ INSTANTIATE_TEST_SUITE_P(All, RenderPyramid,
                                             ::testing::Values(Heuristic::Power, Heuristic::Cutoff, Heuristic::None),
                                             ::testing::Values(Adaptive::None, Adaptive::TwoStages)));
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::render_pyramid_test

@@ -7,8 +7,7 @@
 
 #include <set>
 
-namespace bdpt {
-namespace {
+namespace bdpt::sampling_sequence_test {
 
 using statistics::chi_square_test;
 using statistics::kSignificance;
@@ -161,5 +160,4 @@ TEST(SamplingDiscrete, ChoosesWithItsProbabilitiesAndKeepsTheRestOfTheNumber) {
   EXPECT_FLOAT_EQ(Discrete({1e-30, 3e-30}).probability(1), 0.75f);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::sampling_sequence_test

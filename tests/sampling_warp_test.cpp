@@ -6,8 +6,7 @@
 
 #include <functional>
 
-namespace bdpt {
-namespace {
+namespace bdpt::sampling_warp_test {
 
 using statistics::chi_square_test;
 using statistics::kSignificance;
@@ -90,5 +89,4 @@ TEST(SamplingWarp, TriangleIsUniform) {
       "triangle");
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::sampling_warp_test

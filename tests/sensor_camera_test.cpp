@@ -6,8 +6,7 @@
 
 #include <array>
 
-namespace bdpt {
-namespace {
+namespace bdpt::sensor_camera_test {
 
 using statistics::deviation;
 using statistics::Estimate;
@@ -424,5 +423,4 @@ TEST(SensorCamera, MapsOfAllDirections) {
   expect(direction(CameraType::Cube, 0, 60, 10, 20, 0), Vec3(-c, c, -c));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::sensor_camera_test

@@ -6,8 +6,7 @@
 
 #include <limits>
 
-namespace bdpt {
-namespace {
+namespace bdpt::sensor_lens_test {
 
 using statistics::deviation;
 using statistics::Estimate;
@@ -182,5 +181,4 @@ TEST(SensorLens, ALensThatLetsNoLightThroughIsNone) {
             nullptr);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::sensor_lens_test

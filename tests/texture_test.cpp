@@ -7,8 +7,7 @@
 
 #include <Imath/half.h>
 
-namespace bdpt {
-namespace {
+namespace bdpt::texture_test {
 
 TextureSampler sampler(TextureFilter filter, TextureWrap wrap, float level = 0) { return {wrap, wrap, filter, level}; }
 
@@ -99,5 +98,4 @@ TEST(Texture, KeepsEachFormat) {
   EXPECT_EQ(one(TexelFormat::Half, 1, false, halves), (Rgba{0.25f, 0.25f, 0.25f, 1}));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::texture_test

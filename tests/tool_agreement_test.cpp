@@ -8,8 +8,7 @@
 
 #include "agreement.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_agreement_test {
 
 constexpr int kSeeds = 32;
 
@@ -113,5 +112,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PathAndBidirectional, testing::ValuesIn(path_ca
 TEST_P(LightAndBidirectional, Agree) { expect_agreement(light_tracing(GetParam().passes)); }
 INSTANTIATE_TEST_SUITE_P(Scenes, LightAndBidirectional, testing::ValuesIn(light_cases()), name_of);
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_agreement_test

@@ -14,8 +14,7 @@
 #include "scene_upload.h"
 #include "temp_folder.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_bad_input_test {
 
 namespace fs = std::filesystem;
 
@@ -132,7 +131,7 @@ class ToolPaths : public testing::Test {
     write("scene/s.pbrt", "Camera \"perspective\"\nWorldBegin\nShape \"sphere\"\nInclude \"" + name + "\"\n");
     Diagnostics diagnostics(false);
     try {
-      read_scene(folder_.file("scene/s.pbrt"), diagnostics, {.scene = "", .folder = limit});
+      read_scene(folder_.file("scene/s.pbrt"), diagnostics, {.scene = "", .folder = limit, .environment = ""});
     } catch (const Error& error) {
       return error.what();
     }
@@ -222,5 +221,4 @@ TEST(ToolBadInput, ChangedFilesAreReadOrRefused) {
   EXPECT_GT(read, 0u);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_bad_input_test

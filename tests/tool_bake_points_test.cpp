@@ -11,8 +11,7 @@
 #include "image.h"
 #include "point_list.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_bake_points_test {
 
 class ToolBakePoints : public BakeFixture {
  protected:
@@ -163,5 +162,4 @@ TEST_F(ToolBakePoints, OptionsThatDoNotFitAreTold) {
   refused("a.csv", {}, "must end in .exr");
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_bake_points_test

@@ -10,8 +10,7 @@
 #include "gltf_writer.h"
 #include "image.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_bake_test {
 
 // A floor, 2 x 2, that has both sets of coordinates, and a lamp over it that has none.
 std::string scene() {
@@ -268,5 +267,4 @@ TEST_F(ToolBake, WhatCannotBeIsTold) {
   refused({}, 3, "");
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_bake_test

@@ -12,8 +12,7 @@
 #include "scene_upload.h"
 #include "temp_folder.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_color_test {
 
 // A room of faint colours: no channel is further than a tenth from the grey of its kind. Paths of three edges at most
 // play no roulette, so that a seed draws the same paths whatever the colours.
@@ -183,5 +182,4 @@ TEST_F(ToolColor, TheSharedPictureOfXyzIsThatOfRec709) {
   EXPECT_LT(difference(a, b), 5.3 / 2048);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_color_test

@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_damaged_test {
 
 TEST_F(ToolGltf, PropertiesOfWrongTypesRangesAndIndicesAreNamed) {
   const std::string attributes = triangle();
@@ -229,5 +228,4 @@ TEST_F(ToolGltf, AnyChangedByteIsReadOrRefused) {
   EXPECT_GT(refused, text.size());
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_damaged_test

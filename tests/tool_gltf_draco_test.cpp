@@ -14,8 +14,7 @@
 #include <random>
 #endif
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_draco_test {
 
 #ifndef BDPT_DRACO
 
@@ -252,5 +251,4 @@ TEST_F(ToolGltfDraco, DamagedDataIsReadOrRefused) {
 
 #endif
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_draco_test

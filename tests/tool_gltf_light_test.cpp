@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_light_test {
 
 class ToolGltfLight : public ToolGltf {
  protected:
@@ -116,5 +115,4 @@ TEST_F(ToolGltf, WithoutACameraAllIsInThePicture) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_light_test

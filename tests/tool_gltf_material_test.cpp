@@ -6,8 +6,7 @@
 
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_material_test {
 
 TEST_F(ToolGltf, MaterialsArePrincipledAndNothingOfTheCoreIsLost) {
   const SceneDescription scene = read_material(
@@ -238,5 +237,4 @@ TEST_F(ToolGltfTexture, EveryValueReachesTheLibrary) {
   EXPECT_EQ(hashes.size(), changes);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_material_test

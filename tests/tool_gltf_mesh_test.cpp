@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_mesh_test {
 
 TEST_F(ToolGltf, WithoutIndicesVerticesComeInTheirOrder) {
   const SceneDescription scene = read_primitive(triangle());
@@ -192,5 +191,4 @@ TEST_F(ToolGltfSkin, JointsThatDoNotExistAreNamed) {
   expect_contains(error("[2,3,1]", {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0}), "has 3 joints and 2 inverse bind matrices");
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_mesh_test

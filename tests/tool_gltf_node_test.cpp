@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_node_test {
 
 TEST_F(ToolGltf, NodesTranslateRotateAndScaleInThisOrderFromTheirParentOn) {
   const double h = std::sqrt(.5);
@@ -61,10 +60,10 @@ TEST_F(ToolGltf, TheDefaultSceneIsReadAndTheOthersAreToldOf) {
   EXPECT_EQ(read_document(more).instances.at(0).label, "a");
   EXPECT_EQ(read_document(more + ",\"scene\":1").instances.at(0).label, "b");
   EXPECT_EQ(notes_with("one scene of 2 is read"), 1u);
-  EXPECT_EQ(read_scene(folder_.file("scene.gltf"), diagnostics_, {.scene = "0", .folder = ""}).instances.at(0).label,
-            "a");
+  const ReadOptions first{.scene = "0", .folder = "", .environment = ""};
+  EXPECT_EQ(read_scene(folder_.file("scene.gltf"), diagnostics_, first).instances.at(0).label, "a");
   try {
-    read_scene(folder_.file("scene.gltf"), diagnostics_, {.scene = "attic", .folder = ""});
+    read_scene(folder_.file("scene.gltf"), diagnostics_, {.scene = "attic", .folder = "", .environment = ""});
     FAIL();
   } catch (const Error& error) {
     expect_contains(error.what(), "there is no scene 'attic' in it; there are scenes[0], scenes[1]");
@@ -100,5 +99,4 @@ TEST_F(ToolGltf, DeepTreesAreNoDangerToTheStack) {
   EXPECT_EQ(read_nodes(nodes + "{\"mesh\":0}", mesh_text).instances.size(), 1u);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_node_test

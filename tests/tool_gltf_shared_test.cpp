@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_shared_test {
 
 TEST_F(ToolGltf, EveryKindOfThingThatIsLeftOutIsToldOfOnce) {
   const std::string attributes = triangle() + ",\"targets\":[{\"POSITION\":0}]";
@@ -121,5 +120,4 @@ TEST_F(ToolGltf, SharedCornellBoxHasUvForLightmapsOnEveryMesh) {
   EXPECT_EQ(scene.materials.at(0).emission, (Rgb{100, 100, 100}));
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_shared_test

@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gltf_fixture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_gltf_texture_test {
 
 TEST_F(ToolGltfTexture, ABaseColourTextureKeepsItsBytesWhereTheFactorIsWhite) {
   const SceneDescription scene = read_textured(base_color("[1,1,1,1]"), image_uri(png(kTwo)));
@@ -95,5 +94,4 @@ TEST_F(ToolGltfTexture, ImagesThatAnExtensionAloneHasAreNamedWithIt) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_gltf_texture_test

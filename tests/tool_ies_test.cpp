@@ -10,8 +10,7 @@
 
 #include "error.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_ies_test {
 
 std::string ies(const std::string& horizontal, const std::string& rows, const std::string& tilt = "NONE",
                 const std::string& type = "1") {
@@ -89,5 +88,4 @@ TEST(ToolIes, AFileOfALaboratory) {
   EXPECT_LT(lumens, 13000);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_ies_test

@@ -14,8 +14,7 @@
 #include "pbrt/environment.h"
 #include "temp_folder.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_image_test {
 
 std::string error_of(const std::string& name, const std::string& bytes) {
   try {
@@ -190,5 +189,4 @@ TEST(ToolEnvironment, PicturesAreSeenWhereTheFilePutThem) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_image_test

@@ -8,8 +8,7 @@
 #include "pbrt/environment.h"
 #include "tool_picture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_light_test {
 
 using ToolLight = ToolPicture;
 
@@ -198,5 +197,4 @@ TEST_F(ToolLight, VolumesAbsorbByTheirColour) {
   expect_near(radiance(scene), {left(0.25f), left(0.5f), left(0.75f)}, 5e-3f);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_light_test

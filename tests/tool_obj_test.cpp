@@ -11,8 +11,7 @@
 #include "scene_read.h"
 #include "temp_folder.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_obj_test {
 
 using Words = std::vector<std::uint32_t>;
 using Floats = std::vector<float>;
@@ -224,5 +223,4 @@ TEST_F(ToolObj, MistakesAreErrorsWithTheirLine) {
   EXPECT_EQ(error_of("mtllib m.mtl\n"), "m.mtl:1: d and Tr must be between 0 and 1");
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_obj_test

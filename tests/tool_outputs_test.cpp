@@ -14,8 +14,7 @@
 #include <bit>
 #include <cmath>
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_outputs_test {
 
 // Appleby's function, by values that many programs print; the last two are of Cryptomatte files.
 TEST(ToolOutputs, NamesAreHashedByMurmur3) {
@@ -144,5 +143,4 @@ TEST(ToolOutputs, LayersHaveTheNamesThatOtherProgramsExpect) {
   EXPECT_NE(manifest.find("\"material 1\":\""), std::string::npos) << manifest;
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_outputs_test

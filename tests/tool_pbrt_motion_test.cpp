@@ -7,8 +7,7 @@
 #include "pbrt/motion.h"
 #include "tool_picture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_pbrt_motion_test {
 
 const char kTriangle[] = "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\n";
 const char kCamera[] = "Camera \"perspective\"";
@@ -139,5 +138,4 @@ TEST_F(ToolPbrtMotion, ThePictureIsTheMeanOverTheTime) {
   EXPECT_NEAR(panned, 0.25f, 0.04f);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_pbrt_motion_test

@@ -6,8 +6,7 @@
 #include "lowering.h"
 #include "tool_picture.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_pbrt_surface_test {
 
 class ToolPbrtSurface : public ToolPicture {
  protected:
@@ -157,5 +156,4 @@ TEST_F(ToolPbrtSurface, AlphaOfWhatEmitsIsLeftOutAloud) {
             1u);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_pbrt_surface_test

@@ -9,8 +9,7 @@
 
 #include "ply.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_ply_test {
 
 const char kHeader[] =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -163,5 +162,4 @@ TEST(ToolMesh, ZeroNormalsAreMadeFromTheTriangles) {
   EXPECT_GT(mesh.normals[5], 0);
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_ply_test

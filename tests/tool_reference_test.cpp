@@ -12,8 +12,7 @@
 
 #include "agreement.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_reference_test {
 
 struct Case {
   const char* name;
@@ -75,5 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Grey, Reference,
                            return name;
                          });
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_reference_test

@@ -11,8 +11,7 @@
 #include "temp_folder.h"
 #include "transform.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_scene_test {
 
 const char kTriangle[] = "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\n";
 
@@ -559,5 +558,4 @@ TEST_F(ToolScene, SharedScenesAreReadWithoutWarnings) {
   for (const std::string& text : diagnostics_.texts()) EXPECT_NE(text.find("bilinearly"), std::string::npos) << text;
 }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_scene_test

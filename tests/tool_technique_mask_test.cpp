@@ -6,8 +6,7 @@
 #include "error.h"
 #include "technique_mask.h"
 
-namespace bdpt_tool {
-namespace {
+namespace bdpt_tool::tool_technique_mask_test {
 
 TEST(ToolTechniqueMask, AllAllowsEverything) {
   for (std::uint32_t bits : parse_technique_mask("all")) EXPECT_EQ(bits, ~0u);
@@ -53,5 +52,4 @@ TEST(ToolTechniqueMask, WhatIsNotInTheSyntaxIsAUsageError) {
 
 TEST(ToolTechniqueMask, AMaskThatAllowsNothingIsAnError) { EXPECT_THROW(parse_technique_mask("s=1&s=2"), Error); }
 
-}  // namespace
-}  // namespace bdpt_tool
+}  // namespace bdpt_tool::tool_technique_mask_test

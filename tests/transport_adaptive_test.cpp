@@ -3,8 +3,7 @@
 #include "transport/plan.h"
 #include "transport/sample_rates.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_adaptive_test {
 
 using namespace rendering;
 using scenes::Contents;
@@ -203,5 +202,4 @@ TEST(PassInGroup, HasItsPass) {
         ASSERT_EQ(pass_of(pass_in_group(pass, pool, groups), pool, groups), pass);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_adaptive_test

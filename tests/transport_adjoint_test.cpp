@@ -2,8 +2,7 @@
 // Veach's correction (chapter 5). Where a single boundary or bend parts the ends, techniques agree only with both.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_adjoint_test {
 
 using namespace rendering;
 
@@ -61,5 +60,4 @@ TEST(TransportAdjoint, LightFromASmoothShadedBall) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_adjoint_test

@@ -1,8 +1,7 @@
 // Every subset of techniques that covers the paths gives the same picture, by whatever weights.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_agreement_test {
 
 using namespace rendering;
 using scenes::Contents;
@@ -130,5 +129,4 @@ TEST(TransportAgreement, PlainAverageOfDirectLighting) {
               "average against power 2");
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_agreement_test

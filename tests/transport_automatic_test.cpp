@@ -4,8 +4,7 @@
 #include "transport/plan.h"
 #include "transport/strategy_pilot.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_automatic_test {
 
 using namespace baking;
 using scenes::Builder;
@@ -200,5 +199,4 @@ TEST(TransportAutomaticChoice, PathsThatAStrategyCannotFindRuleItOut) {
   EXPECT_EQ(tiles_of(map, "one-to-one") + tiles_of(map, "matrix"), map.choices.size());
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_automatic_test

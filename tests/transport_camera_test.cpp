@@ -3,8 +3,7 @@
 #include "rendering.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_camera_test {
 
 using namespace rendering;
 
@@ -105,5 +104,4 @@ std::string test_name(const testing::TestParamInfo<scenes::CameraKind>& info) {
 }
 INSTANTIATE_TEST_SUITE_P(Kinds, TransportCamera, testing::ValuesIn(kinds()), test_name);
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_camera_test

@@ -1,8 +1,7 @@
 // Scenes whose pictures are known in closed form.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_closed_form_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -267,5 +266,4 @@ TEST(TransportClosedForm, ThinLensBlursAnEdgeByTheSegmentOfADisk) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_closed_form_test

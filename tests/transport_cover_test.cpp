@@ -1,8 +1,7 @@
 // Plans, heuristics, roulettes, samplers and numbers in every pair, in rooms of our own: all measure the same.
 #include "plan_cover.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_cover_test {
 
 using namespace cover;
 using scenes::Contents;
@@ -32,5 +31,4 @@ TEST(TransportCover, HoldsEveryPair) {
   EXPECT_LT(rows.size(), 60u);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_cover_test

@@ -3,8 +3,7 @@
 #include "rendering.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_curves_test {
 
 using namespace rendering;
 using scenes::Strands;
@@ -169,5 +168,4 @@ TEST(CurvesScene, RefusesWhatCurvesCannotBe) {
   expect_refused(scenes::textured(scenes::diffuse(1), Slot::Bump, 0), "BUMP");
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_curves_test

@@ -3,8 +3,7 @@
 #include "transport/block.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_direct_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -171,5 +170,4 @@ TEST(TransportDirect, OnlyWhatIsNotTheDefaultEntersTheHash) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_direct_test

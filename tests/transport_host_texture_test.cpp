@@ -5,8 +5,7 @@
 
 #include <limits>
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_host_texture_test {
 
 using namespace rendering;
 
@@ -211,5 +210,4 @@ TEST(HostTexture, IsPartOfWhatIdentifiesTheScene) {
   EXPECT_NE(hash(1, 1, 0.5f), hash(1, 1, 0.25f));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_host_texture_test

@@ -3,8 +3,7 @@
 #include "rendering.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_instance_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -109,5 +108,4 @@ TEST(TransportInstance, IsWhatTheSameTrianglesInTheWorldAre) {
   expect_all_same(means, names);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_instance_test

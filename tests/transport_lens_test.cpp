@@ -1,8 +1,7 @@
 // t = 0: light that finds the lens by itself measures what light tracing and eye subpaths do.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_lens_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -68,5 +67,4 @@ TEST(TransportLens, LightHittingTheLensThroughGlassGivesThePictureOfPathTracing)
   expect_same(light, eye, 2, "t <= 1 and t >= 2");
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_lens_test

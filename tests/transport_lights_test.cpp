@@ -2,8 +2,7 @@
 #include "light_testing.h"
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_lights_test {
 
 using namespace rendering;
 
@@ -83,5 +82,4 @@ TEST_P(TransportLights, AllTechniquesGiveTheSamePicture) {
 INSTANTIATE_TEST_SUITE_P(All, TransportLights, testing::ValuesIn(cases()),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_lights_test

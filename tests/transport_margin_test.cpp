@@ -1,8 +1,7 @@
 // No surface shadows itself, whatever its size, its place and the way it came there; margin.h.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_margin_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -86,5 +85,4 @@ TEST(TransportMargin, Sphere) {
     }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_margin_test

@@ -1,8 +1,7 @@
 // Media: light through fog, glass that absorbs, and what overlaps it, the same by all techniques and as it must be.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_media_test {
 
 using namespace rendering;
 
@@ -280,5 +279,4 @@ TEST_P(TransportMedia, AllTechniquesGiveOnePicture) {
 INSTANTIATE_TEST_SUITE_P(Items, TransportMedia, testing::ValuesIn(items()),
                          [](const auto& info) { return case_name(info.param.name); });
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_media_test

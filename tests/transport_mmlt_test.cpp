@@ -3,8 +3,7 @@
 #include "transport/chain.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_mmlt_test {
 
 using namespace rendering;
 using scenes::Contents;
@@ -169,5 +168,4 @@ TEST(TransportMmlt, PathTracingByTheMaximumHeuristic) {
   expect_same(block_means(scene, camera, options, {.passes = 16, .first_seed = 2}), expected, 1, "mmlt");
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_mmlt_test

@@ -2,8 +2,7 @@
 #include "rendering.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_motion_test {
 
 using namespace rendering;
 
@@ -117,5 +116,4 @@ INSTANTIATE_TEST_SUITE_P(Items, TransportMotion,
                                          Item{"lens", true, true, true}),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_motion_test

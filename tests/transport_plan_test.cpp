@@ -5,8 +5,7 @@
 
 #include <array>
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_plan_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -220,5 +219,4 @@ TEST(TransportPlan, TwoWayKeepsNothing) {
   EXPECT_LT(memory("two-way", 50) * 4, memory("one-to-one", 50));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_plan_test

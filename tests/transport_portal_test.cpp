@@ -4,8 +4,7 @@
 #include "rendering.h"
 #include "transport/plan.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_portal_test {
 
 using namespace rendering;
 using baking::with_plan;
@@ -150,5 +149,4 @@ TEST(TransportPortal, ASmallWindowHasLessNoise) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_portal_test

@@ -1,8 +1,7 @@
 // Nothing is ever NaN, infinite or negative, and a scene's size is no matter.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_robust_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -116,5 +115,4 @@ TEST(TransportRobust, ScaleIsNoMatter) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_robust_test

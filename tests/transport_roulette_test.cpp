@@ -4,8 +4,7 @@
 #include "transport/plan.h"
 #include "transport/strategy_pilot.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_roulette_test {
 
 using namespace rendering;
 using scenes::Contents;
@@ -184,5 +183,4 @@ TEST(RegionGrid, CoversEveryPixelOnce) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_roulette_test

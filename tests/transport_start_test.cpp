@@ -4,8 +4,7 @@
 #include "transport/plan.h"
 #include "transport/start_pilot.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_start_test {
 
 using namespace rendering;
 using scenes::Builder;
@@ -135,5 +134,4 @@ TEST(LightStarts, LampsInVainCostLittle) {
   EXPECT_GT(variance(StartBy::Power), 2.5 * variance(StartBy::Importance));
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_start_test

@@ -3,8 +3,7 @@
 
 #include <set>
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_stream_test {
 
 using namespace rendering;
 
@@ -60,5 +59,4 @@ TEST(TransportStream, PassesOfAGroupFollowEachOther) {
   EXPECT_NE(engine.light_stream(far, 7).scramble, engine.light_stream(0, 7).scramble);
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_stream_test

@@ -2,8 +2,7 @@
 #include "material/host.h"
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_surface_test {
 
 using namespace rendering;
 
@@ -280,5 +279,4 @@ TEST(VertexColors, MultiplyTheReflectance) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_surface_test

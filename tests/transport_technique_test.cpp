@@ -1,8 +1,7 @@
 // Every technique alone, unweighted, gives the same picture of all paths of its length.
 #include "rendering.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_technique_test {
 
 using namespace rendering;
 
@@ -47,5 +46,4 @@ TEST_P(TransportTechnique, AloneGivesThePictureOfItsPaths) {
 
 INSTANTIATE_TEST_SUITE_P(OfEdges, TransportTechnique, ::testing::Values(1, 2, 3));
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_technique_test

@@ -7,8 +7,7 @@
 #include "transport/plan.h"
 #include "transport/start_pilot.h"
 
-namespace bdpt {
-namespace {
+namespace bdpt::transport_weights_test {
 
 using namespace rendering;
 
@@ -444,5 +443,4 @@ TEST(TransportWeights, RunningSumsGiveThoseOfThePlainLoop) {
   }
 }
 
-}  // namespace
-}  // namespace bdpt
+}  // namespace bdpt::transport_weights_test

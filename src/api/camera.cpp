@@ -15,13 +15,12 @@ using namespace bdpt;
 
 namespace {
 
-constexpr float kMaxSide = 65536;
 constexpr float kDefaultFieldOfView = 45, kDefaultFisheye = 180;
 constexpr float kMaxLens = 1e6f;  // lengths of lenses, and scales
 
 void read_size(const Subject& subject, const bdpt_camera_desc& desc, CameraDesc& camera) {
-  subject.check_range("width", desc.width, 1, kMaxSide);
-  subject.check_range("height", desc.height, 1, kMaxSide);
+  subject.check_range("width", desc.width, 1, kMaxImageSide);
+  subject.check_range("height", desc.height, 1, kMaxImageSide);
   camera.width = int(desc.width);
   camera.height = int(desc.height);
   const PixelRect crop = read_rect(subject, "crop", desc.crop, camera.width, camera.height);

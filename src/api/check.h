@@ -11,6 +11,8 @@
 
 namespace bdpt {
 
+constexpr uint32_t kMaxImageSide = 65536;  // pixels or texels
+
 // The object a field belongs to: kind and the host's label for it.
 class Subject {
  public:
@@ -41,6 +43,11 @@ class Subject {
   const char* kind_;
   std::string label_;
 };
+
+// Throws where no file is named.
+inline void check_path(const char* path) {
+  if (!path || !*path) fail(ErrorCode::InvalidArgument, "path is ", path ? "empty" : "NULL", ": name a file");
+}
 
 inline std::string text_or_empty(const char* text) { return text ? text : ""; }
 inline Vec3 to_vec3(const float v[3]) { return {v[0], v[1], v[2]}; }

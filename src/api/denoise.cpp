@@ -7,7 +7,7 @@ using namespace bdpt;
 
 namespace {
 
-constexpr uint32_t kMaxSide = 65536, kMaxThreads = 1024;
+constexpr uint32_t kMaxDenoiserThreads = 1024;
 
 void check_image(const Subject& subject, const char* name, const float* pixels) {
   if (reinterpret_cast<uintptr_t>(pixels) % alignof(float) != 0)
@@ -28,10 +28,10 @@ bdpt_result bdpt_denoise(const bdpt_denoise_desc* desc) {
   return guard(__func__, [&] {
     const bdpt_denoise_desc d = read_struct(desc, "desc");
     const Subject subject("desc", nullptr);
-    subject.check_range("width", d.width, 1, kMaxSide);
-    subject.check_range("height", d.height, 1, kMaxSide);
+    subject.check_range("width", d.width, 1, kMaxImageSide);
+    subject.check_range("height", d.height, 1, kMaxImageSide);
     subject.check_flag("clean", d.clean);
-    subject.check_range("threads", d.threads, 0, kMaxThreads);
+    subject.check_range("threads", d.threads, 0, kMaxDenoiserThreads);
     subject.check_reserved("reserved", d.reserved);
     require(d.color, "desc.color");
     require(d.output, "desc.output");

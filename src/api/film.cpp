@@ -7,10 +7,6 @@ using namespace bdpt;
 
 namespace {
 
-void check_path(const char* path) {
-  if (!path || !*path) fail(ErrorCode::InvalidArgument, "path is ", path ? "empty" : "NULL", ": name a file");
-}
-
 // A render counts on the passes that it found and made.
 void check_not_rendered(const bdpt_film& film, const char* name) {
   film.busy.check(name);

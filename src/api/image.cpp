@@ -25,14 +25,9 @@ void check_pixels(const float* pixels, const char* name) {
 }
 
 void check_size(uint32_t width, uint32_t height) {
-  constexpr uint32_t kMaxSide = 65536;
   for (const auto& [name, value] : {std::pair("width", width), std::pair("height", height)})
-    if (value < 1 || value > kMaxSide)
-      fail(ErrorCode::InvalidArgument, name, " is ", value, ": give 1 to ", kMaxSide, " pixels");
-}
-
-void check_path(const char* path) {
-  if (!path || !*path) fail(ErrorCode::InvalidArgument, "path is ", path ? "empty" : "NULL", ": name a file");
+    if (value < 1 || value > kMaxImageSide)
+      fail(ErrorCode::InvalidArgument, name, " is ", value, ": give 1 to ", kMaxImageSide, " pixels");
 }
 
 std::vector<ExrLayer> read_layers(const bdpt_exr_desc& desc) {

@@ -15,15 +15,13 @@ using namespace bdpt;
 
 namespace {
 
-constexpr uint32_t kMaxSide = 65536;
-
 AtlasStack read_size(const Subject& subject, const bdpt_lightmap_desc& desc) {
-  subject.check_range("width", desc.width, 1, kMaxSide);
-  subject.check_range("height", desc.height, 1, kMaxSide);
+  subject.check_range("width", desc.width, 1, kMaxImageSide);
+  subject.check_range("height", desc.height, 1, kMaxImageSide);
   const uint32_t atlases = desc.atlas_count == 0 ? 1 : desc.atlas_count;
-  if (uint64_t(atlases) * desc.height > kMaxSide)
+  if (uint64_t(atlases) * desc.height > kMaxImageSide)
     subject.refuse("atlas_count", "is ", atlases, ": ", atlases, " atlases of ", desc.height, " rows are more than ",
-                   kMaxSide, " rows: bake them in several lightmaps");
+                   kMaxImageSide, " rows: bake them in several lightmaps");
   return {int(desc.width), int(desc.height), int(atlases)};
 }
 

@@ -3,7 +3,6 @@
 namespace bdpt {
 namespace {
 
-constexpr uint32_t kMaxSide = 65536;
 constexpr uint64_t kMaxTexels = uint64_t(1) << 28;
 constexpr uint32_t kMaxChannels = 4096;
 constexpr uint32_t kMaxStride = 4096;
@@ -12,7 +11,8 @@ constexpr uint32_t kMaxStride = 4096;
 
 void check_atlas_size(const Subject& subject, uint32_t width, uint32_t height) {
   for (const auto& [field, value] : {std::pair("width", width), std::pair("height", height)})
-    if (value < 1 || value > kMaxSide) subject.refuse(field, "is ", value, ": give 1 to ", kMaxSide, " texels");
+    if (value < 1 || value > kMaxImageSide)
+      subject.refuse(field, "is ", value, ": give 1 to ", kMaxImageSide, " texels");
   if (uint64_t(width) * height > kMaxTexels)
     subject.refuse("width times height", "is ", uint64_t(width) * height, ": give at most ", kMaxTexels, " texels");
 }

@@ -11,8 +11,6 @@ using namespace bdpt;
 
 namespace {
 
-constexpr uint32_t kMaxSide = 65536;
-
 struct SkyPicture {
   uint32_t width, height;
   Vec3 to_sun;
@@ -22,8 +20,8 @@ struct SkyPicture {
 
 SkyPicture read_sky(const bdpt_sky_desc& desc) {
   const Subject subject("sky", nullptr);
-  subject.check_range("width", desc.width, 1, kMaxSide);
-  subject.check_range("height", desc.height, 1, kMaxSide);
+  subject.check_range("width", desc.width, 1, kMaxImageSide);
+  subject.check_range("height", desc.height, 1, kMaxImageSide);
   subject.check_finite("to_sun", desc.to_sun, 3);
   subject.check_not_negative("ground", desc.ground, 3);
   if (desc.turbidity != 0) subject.check_range("turbidity", desc.turbidity, 1.7, 10);

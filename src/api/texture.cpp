@@ -9,7 +9,6 @@ using namespace bdpt;
 
 namespace {
 
-constexpr uint32_t kMaxSide = 65536;
 constexpr uint32_t kMaxLevels = 17;
 constexpr uint64_t kMaxRowStride = uint64_t(1) << 32;
 
@@ -25,8 +24,8 @@ class TextureReader {
   TextureReader(const bdpt_texture_desc& desc, const bdpt_context& context)
       : subject_("texture", desc.label), desc_(desc), context_(context) {
     subject_.check_range("channels", desc.channels, 1, 4);
-    subject_.check_range("width", desc.width, 1, kMaxSide);
-    subject_.check_range("height", desc.height, 1, kMaxSide);
+    subject_.check_range("width", desc.width, 1, kMaxImageSide);
+    subject_.check_range("height", desc.height, 1, kMaxImageSide);
     subject_.check_enum("texel", desc.texel, BDPT_TEXEL_HALF);
     subject_.check_enum("encoding", desc.encoding, BDPT_ENCODING_LINEAR);
     subject_.check_range("mip_levels", desc.mip_levels, 0, kMaxLevels);

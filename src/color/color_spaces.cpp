@@ -33,6 +33,8 @@ void apply(const ocio::CPUProcessor& processor, float* rgb, size_t count) {
   processor.apply(image);
 }
 
+}  // namespace
+
 // The steps of a conversion, in order; most have one or two.
 struct Conversion {
   ocio::ConstCPUProcessorRcPtr before;  // in the configuration
@@ -59,6 +61,8 @@ struct Space {
   std::string in_config;
   const StandardSpace* standard = nullptr;
 };
+
+namespace {
 
 // The matrix by which a conversion works; empty where it does not work by one.
 std::optional<ColorMatrix> matrix_of(const Conversion& conversion) {

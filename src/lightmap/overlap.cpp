@@ -9,12 +9,12 @@ namespace {
 
 constexpr double kLeastShare = 1e-3;
 
-struct Box {
+struct UvBox {
   Vec2d low, high;
 };
 
-Box box_of(const UvTriangle& t) {
-  Box box{t[0], t[0]};
+UvBox box_of(const UvTriangle& t) {
+  UvBox box{t[0], t[0]};
   for (const Vec2d& p : t)
     for (int axis = 0; axis < 2; ++axis) {
       box.low[axis] = std::min(box.low[axis], p[axis]);
@@ -57,7 +57,7 @@ class Sweep {
     for (size_t s = 0; s < strips_; ++s)
       for (size_t i = begin_[s]; i < begin_[s + 1]; ++i)
         for (size_t j = i + 1; j < begin_[s + 1]; ++j) {
-          const Box &a = boxes_[members_[i]], &b = boxes_[members_[j]];
+          const UvBox &a = boxes_[members_[i]], &b = boxes_[members_[j]];
           if (b.low.x >= a.high.x) break;
           if (b.low.y >= a.high.y || a.low.y >= b.high.y || strip(std::max(a.low.y, b.low.y)) != s) continue;
           if (!visit(std::min(members_[i], members_[j]), std::max(members_[i], members_[j]))) return;
@@ -70,7 +70,7 @@ class Sweep {
   }
   size_t places() const {
     size_t n = 0;
-    for (const Box& box : boxes_) n += strip(box.high.y) - strip(box.low.y) + 1;
+    for (const UvBox& box : boxes_) n += strip(box.high.y) - strip(box.low.y) + 1;
     return n;
   }
   void choose_strips() {
@@ -85,7 +85,7 @@ class Sweep {
       return boxes_[a].low.x != boxes_[b].low.x ? boxes_[a].low.x < boxes_[b].low.x : a < b;
     });
     begin_.assign(strips_ + 1, 0);
-    for (const Box& box : boxes_)
+    for (const UvBox& box : boxes_)
       for (size_t s = strip(box.low.y); s <= strip(box.high.y); ++s) ++begin_[s + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     members_.resize(begin_.back());
@@ -95,7 +95,7 @@ class Sweep {
   }
 
   double height_;
-  std::vector<Box> boxes_;
+  std::vector<UvBox> boxes_;
   size_t strips_ = 1;
   std::vector<size_t> begin_, members_;  // members of strip s: begin_[s] to begin_[s + 1], by their least x
 };

@@ -7,11 +7,11 @@ namespace bdpt {
 
 namespace {
 
-constexpr int kSmooth = 1;          // tiles on either side whose measures are averaged
-constexpr double kDark = 0.01;      // of the mean of all squared: keeps dark tiles from ruling the sum
-constexpr double kLeast = 0.02;     // of the second moment: few samples may show no variance at all
-constexpr double kOverNone = 0.95;  // light subpaths must win by so much over none,
-constexpr double kOverFewer = 0.9;  // and more of them over fewer
+constexpr int kSmooth = 1;               // tiles on either side whose measures are averaged
+constexpr double kDark = 0.01;           // of the mean of all squared: keeps dark tiles from ruling the sum
+constexpr double kLeastVariance = 0.02;  // of the second moment: few samples may show no variance at all
+constexpr double kOverNone = 0.95;       // light subpaths must win by so much over none,
+constexpr double kOverFewer = 0.9;       // and more of them over fewer
 constexpr int kRounds = 12;
 
 // Relative variance and cost of a tile's pixels, by candidates.
@@ -34,7 +34,7 @@ std::vector<TileTerms> terms_of(const Tiles& tiles, const std::vector<TileMeasur
     const TileMeasure& m = measures[i];
     const double black = dark + m.mean * m.mean;
     for (size_t a = 0; a < kCandidates.size(); ++a) {
-      const double variance = std::max(m.variance[a], kLeast * m.mean * m.mean);
+      const double variance = std::max(m.variance[a], kLeastVariance * m.mean * m.mean);
       own[i].error[a] = black > 0 ? m.pixels * variance / black : 0;
       own[i].cost[a] = m.pixels * m.cost[a];
     }

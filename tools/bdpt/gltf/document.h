@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "scene_folder.h"
 
 namespace bdpt_tool::gltf {
+
+constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian: the files have radians
 
 using Bytes = std::vector<unsigned char>;
 

@@ -2,12 +2,9 @@
 #include "gltf/lights.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace bdpt_tool::gltf {
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 Rgb rgb(const Vec3& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
 
 #include "default_view.h"
@@ -20,7 +19,6 @@ namespace bdpt_tool {
 namespace gltf {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMaxPixels = 65536;
 
 // Extensions that are read, and those that change nothing here.

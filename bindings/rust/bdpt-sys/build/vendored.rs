@@ -42,7 +42,7 @@ pub fn build() -> Result<(), String> {
     for part in ["TOOL", "TESTS", "EXAMPLES", "BENCHMARKS"] {
         configure.arg(format!("-DBDPT_BUILD_{}=OFF", part));
     }
-    configure.arg("-DBDPT_NATIVE=OFF");
+    configure.args(["-DBDPT_NATIVE=OFF", "-DCMAKE_UNITY_BUILD=ON"]);
     if let Ok(isas) = env::var(CODE_ISAS) {
         configure.arg(format!("-DBDPT_CODE_ISAS={}", isas.replace(',', ";")));
     }
