@@ -1,6 +1,7 @@
 // On real scenes path tracing, light tracing where it can see the paths, and bidirectional path tracing measure the
 // same. BDPT_VALIDATE=full in the environment takes longer paths and more samples (scripts/validate); what runs by
-// default is chosen so that every threshold is below one per cent of its block within minutes.
+// default is chosen so that every threshold is below one per cent of its block within minutes; the room behind a door
+// needs too many for that. (By default all plans are compared there, and bidirectional path tracing with a reference.)
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -44,7 +45,6 @@ std::vector<Case> path_cases() {
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 40, 20, {}},
           {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 60, 60, {0}, {}, false},
           {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 3, 700, 100, {3}},
-          {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 4, 1000, 400, {}},
           {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 2, 20, 20, {}, {0, 0, 192, 32}, false}};
 }
 std::vector<Case> light_cases() {
@@ -57,7 +57,6 @@ std::vector<Case> light_cases() {
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 30, 20, {}},
           {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 1000, 60, {0, 1}, {}, false},
           {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 6, 30, 30, {3}},
-          {"veach_ajar", "veach-ajar/scene-v4-present-textures.pbrt", 64, 32, 6, 1000, 300, {0}},
           {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 3, 200, 150, {}, {0, 0, 192, 32}}};
 }
 

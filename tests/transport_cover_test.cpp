@@ -6,7 +6,7 @@ namespace bdpt::transport_cover_test {
 using namespace cover;
 using scenes::Contents;
 
-constexpr int kSize = 32;
+constexpr int kSize = 64;
 
 void expect_room_agrees(const scenes::RoomOptions& room, const scenes::Viewpoint& view) {
   expect_cover_agrees(scenes::room(room).build(), scenes::camera(view, kSize, kSize), 5);
