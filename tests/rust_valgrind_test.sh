@@ -5,7 +5,7 @@ export BDPT_LIB_DIR=$BDPT_BINARY_DIR/lib
 [ -e "$BDPT_LIB_DIR/libbdpt.so" ] || exit 77
 command -v cargo > /dev/null && command -v valgrind > /dev/null || exit 77
 # valgrind knows no AVX-512: a library for this machine alone may have it.
-grep -q '^BDPT_CODE_ISAS:STRING=baseline;' "$BDPT_BINARY_DIR/CMakeCache.txt" || exit 77
+[ "$BDPT_DISPATCH" = ON ] || exit 77
 export LD_LIBRARY_PATH=$BDPT_LIB_DIR${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} BDPT_ISA=baseline
 export CARGO_TARGET_DIR=$BDPT_BINARY_DIR/rust-valgrind
 cd "$BDPT_SOURCE_DIR/bindings/rust"
