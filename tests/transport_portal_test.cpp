@@ -118,7 +118,7 @@ double variance(bool hinted, const TechniqueMask& mask, const LightDesc& light, 
   wall.add_quad(Vec3(c.x, a.y, 2), Vec3(c.x, c.y, 2), Vec3(2, c.y, 2), Vec3(2, a.y, 2));
   b.add(wall, scenes::diffuse(0.6f));
   LightDesc l = light;
-  if (hinted) l.portals = {{a, Vec3(c.x - a.x, 0, 0), Vec3(0, c.y - a.y, 0)}};
+  if (hinted) l.portals.push_back({a, Vec3(c.x - a.x, 0, 0), Vec3(0, c.y - a.y, 0)});
   b.light(l);
   const SensorPointer camera = scenes::camera({Vec3(0, 0, 1.8f), Vec3(0.2f, -0.3f, -1), 80}, kSize, kSize);
   const BlockMeans means = block_means(b.build(), camera, options_for(mask, 5),
