@@ -57,7 +57,7 @@ std::vector<Case> light_cases() {
   return {{"cornell_box", "cornell-box/scene-v4.pbrt", 64, 64, 6, 30, 20, {}},
           {"veach_mis", "veach-mis/scene-v4.pbrt", 64, 36, 2, 1000, 60, {0, 1}, {}, false},
           {"veach_bidir", "veach-bidir/scene-v4.pbrt", 64, 64, 6, 30, 30, {3}},
-          {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 3, 200, 150, {}, {0, 0, 96, 32}}};
+          {"water_caustic", "water-caustic/scene-v4.pbrt", 192, 192, 3, 200, 150, {}, {0, 0, 192, 32}}};
 }
 
 Variant path_tracing(std::uint64_t passes) {
