@@ -113,6 +113,39 @@ TEST(FilmAccumulator, FilmRejectsWhatIsTooLargeOrNoNumberAndCountsIt) {
   for (int i = 0; i < 12; ++i) EXPECT_EQ(pixels[i], i < 3 ? 12 : 0) << i;
 }
 
+// One word holds sums below 2^15: of some groups, of all, or of none; and a film is read in runs of pixels.
+TEST(FilmAccumulator, AFilmIsReadOverGroupsHoweverWideTheSums) {
+  FilmDesc desc;
+  desc.width = 70, desc.height = 1;
+  desc.normalize_by_weights = false;
+  desc.groups = 3;
+  Film film(desc, nullptr);
+  const float values[4][5] = {{1, 20000, 1e6f, 20000, 20000},
+                              {2, 20000, 2e6f, -1e6f, 20000},
+                              {4, 20000, -3e6f, 1e6f, -30000},
+                              {8, -20000, 4e6f, 20000, 20000}};
+  const auto fill = [&](size_t pass) {
+    for (int x = 0; x < desc.width; ++x) film.add_eye_sample({float(x) + 0.5f, 0.5f}, Rgb(values[pass][x % 5]));
+  };
+  film.begin(FilmRecipe{});
+  for (size_t pass = 0; pass < 3; ++pass) {
+    fill(pass);
+    film.end_pass(pass, 0, 1);
+    film.commit_pass(pass);
+  }
+  film.set_partial(true);
+  fill(3);
+  for (const bool partial : {false, true}) {
+    std::vector<float> pixels(3 * 70);
+    film.read(FilmLayer::Color, 0, 0, {0, 0, 70, 1}, partial, pixels.data(), 3 * 70);
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      double sum = 0;
+      for (size_t pass = 0; pass < (partial ? 4 : 3); ++pass) sum += double(values[pass][i / 3 % 5]);
+      EXPECT_EQ(pixels[i], float(sum * (1 / (partial ? 4.0 : 3.0)))) << i << ' ' << partial;
+    }
+  }
+}
+
 TEST(FilmAccumulator, RejectedContributionsBelongToTheirPixelAndPass) {
   FilmDesc desc;
   desc.width = 3, desc.height = 2;

@@ -43,18 +43,22 @@ struct Accumulator {
     return {static_cast<uint64_t>(n), static_cast<int64_t>(n >> 64)};
   }
 
+  Int128 whole() const { return (static_cast<Int128>(high) << 64) | low; }
   void add(const Accumulator& o) {
-    const uint64_t sum = low + o.low;
-    high += o.high + (sum < low ? 1 : 0);
-    low = sum;
+    const Int128 sum = whole() + o.whole();
+    low = static_cast<uint64_t>(sum), high = static_cast<int64_t>(sum >> 64);
   }
 
+  // Nearly all sums fit into one word, and then nothing else is slow about reading a film: false where this does not,
+  // or no longer.
+  bool add_to(int64_t& word) const {
+    const int64_t own = static_cast<int64_t>(low);
+    return high == own >> 63 && !__builtin_add_overflow(word, own, &word);
+  }
+  static double value_of(int64_t word) { return static_cast<double>(word) * 0x1p-48; }
   double value() const {
-    // Nearly all fit into one word, and then nothing else is slow about reading a film.
-    const int64_t word = static_cast<int64_t>(low);
-    if (high == word >> 63) return static_cast<double>(word) * 0x1p-48;
-    const Int128 v = (static_cast<Int128>(high) << 64) | low;
-    return static_cast<double>(v) * 0x1p-48;
+    int64_t word = 0;
+    return add_to(word) ? value_of(word) : static_cast<double>(whole()) * 0x1p-48;
   }
 };
 

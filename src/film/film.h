@@ -186,8 +186,10 @@ class Film {
     return film.x >= 0 && film.y >= 0 && film.x < float(desc_.width) && film.y < float(desc_.height);
   }
   size_t own(const FilmPosition& film) const { return size_t(film.y) * size_t(desc_.width) + size_t(film.x); }
-  struct AllOf;
+  struct GroupSums;
   class GroupReader;
+  GroupSums all_groups(size_t pixel, size_t count, bool include_partial) const;
+  GroupSums one_group(int group, size_t pixel) const;
   const Accumulator* sums_of(int group, size_t pixel) const {
     return sums_.data() + (size_t(group) * pixels() + pixel) * layout_.size();
   }
